@@ -1,0 +1,33 @@
+// A file that is either whole or absent: written under a temporary name, renamed when finished.
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <string_view>
+
+namespace spoctree {
+
+/// Collects bytes in a temporary file beside `path`; `commit` flushes and renames it over `path`.
+/// Destroyed without `commit`, the temporary file is removed and `path` is as it was before.
+/// Throws BadInput (naming the path and the system's reason) when the file cannot be created,
+/// written or renamed.
+class AtomicFile {
+ public:
+  explicit AtomicFile(std::filesystem::path path);
+  ~AtomicFile();
+  AtomicFile(const AtomicFile&) = delete;
+  AtomicFile& operator=(const AtomicFile&) = delete;
+
+  void write(std::string_view bytes);
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::filesystem::path temporary_;
+  std::FILE* file_ = nullptr;
+};
+
+/// Writes `bytes` to `path` as one AtomicFile.
+void write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace spoctree
