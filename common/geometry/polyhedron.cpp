@@ -1,0 +1,173 @@
+#include "common/geometry/polyhedron.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <glm/geometric.hpp>
+
+#include "common/geometry/predicates.hpp"
+
+namespace spoctree {
+
+void Polyhedron::clear() {
+  vertices.clear();
+  corners.clear();
+  faces.clear();
+}
+
+Polyhedron make_cell(const std::uint32_t (&lower)[3], std::uint32_t size, const PlaneSet& planes) {
+  Polyhedron cell;
+  const auto wall = [&](int axis, bool upper) {
+    return upper ? PlaneRef::of_wall(axis, lower[axis] + size)
+                 : PlaneRef::of_wall(axis, lower[axis]).flipped();
+  };
+  for (int corner = 0; corner < 8; ++corner) {
+    PolyhedronVertex vertex;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool upper = ((corner >> axis) & 1) != 0;
+      vertex.planes[axis] = wall(axis, upper);
+      vertex.position[axis] =
+          wall_coordinate(planes.half_side(), lower[axis] + (upper ? size : 0));
+    }
+    cell.vertices.push_back(vertex);
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    // With (u, v) the next axes in cyclic order, +axis is seen counter-clockwise as 00 10 11 01.
+    const int u = (axis + 1) % 3;
+    const int v = (axis + 2) % 3;
+    for (const bool upper : {false, true}) {
+      const auto first = static_cast<std::uint32_t>(cell.corners.size());
+      const std::uint32_t base = upper ? 1u << axis : 0u;
+      const std::uint32_t ring[4] = {base, base | 1u << u, base | 1u << u | 1u << v, base | 1u << v};
+      // The edge from ring[k] to ring[k + 1] lies on these walls.
+      const PlaneRef across[4] = {wall(v, false), wall(u, true), wall(v, true), wall(u, false)};
+      for (int k = 0; k < 4; ++k) {
+        if (upper) {
+          cell.corners.push_back({ring[k], across[k]});
+        } else {
+          const int r = 3 - k;  // reversed: from ring[r] to ring[r - 1]
+          cell.corners.push_back({ring[r], across[(r + 3) % 4]});
+        }
+      }
+      cell.faces.push_back({wall(axis, upper), first, 4});
+    }
+  }
+  return cell;
+}
+
+int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes) {
+  const PlaneRef carrier = plane.carrier();
+  for (const PlaneRef own : vertex.planes) {
+    if (own.carrier() == carrier) return 0;
+  }
+  const Plane p = planes[plane];
+  const double value = glm::dot(p.normal, vertex.position) - p.offset;
+  // The rounding of this expression, plus the vertex's own error seen along a unit normal.
+  if (std::abs(value) > 0x1p-47 + 2 * vertex.error) return value > 0 ? 1 : -1;
+  return side_of_intersection(planes[vertex.planes[0]], planes[vertex.planes[1]],
+                              planes[vertex.planes[2]], p);
+}
+
+ClipResult PolyhedronClipper::clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes) {
+  const std::size_t vertex_count = polyhedron.vertices.size();
+  side_.resize(vertex_count);
+  bool any_inside = false;
+  bool any_outside = false;
+  for (std::size_t i = 0; i < vertex_count; ++i) {
+    side_[i] = static_cast<signed char>(side_of_vertex(polyhedron.vertices[i], plane, planes));
+    any_inside |= side_[i] < 0;
+    any_outside |= side_[i] > 0;
+  }
+  if (!any_inside) return ClipResult::Empty;
+  if (!any_outside) return ClipResult::Unchanged;
+
+  result_.clear();
+  created_.clear();
+  rim_.clear();
+  constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  renumbered_.assign(vertex_count, kNone);
+  const auto keep = [&](std::uint32_t old) {
+    if (renumbered_[old] == kNone) {
+      renumbered_[old] = static_cast<std::uint32_t>(result_.vertices.size());
+      result_.vertices.push_back(polyhedron.vertices[old]);
+    }
+    return renumbered_[old];
+  };
+  // The two faces of an edge see it in opposite directions and share the new vertex.
+  const auto cut = [&](std::uint32_t u, std::uint32_t v, PlaneRef face, PlaneRef across) {
+    const std::uint32_t from = std::min(u, v);
+    const std::uint32_t to = std::max(u, v);
+    for (const Created& c : created_) {
+      if (c.from == from && c.to == to) return c.vertex;
+    }
+    const auto vertex = static_cast<std::uint32_t>(result_.vertices.size());
+    const ApproximatePoint point = intersection_point(planes[face], planes[across], planes[plane]);
+    result_.vertices.push_back({point.position, point.error, {face, across, plane}});
+    created_.push_back({from, to, vertex});
+    return vertex;
+  };
+
+  for (const Polyhedron::Face& face : polyhedron.faces) {
+    const auto loop = polyhedron.loop(face);
+    if (std::none_of(loop.begin(), loop.end(), [&](auto& c) { return side_[c.vertex] < 0; })) {
+      continue;
+    }
+    const auto first = static_cast<std::uint32_t>(result_.corners.size());
+    for (std::size_t k = 0; k < loop.size(); ++k) {
+      const auto& corner = loop[k];
+      const auto& next = loop[k + 1 == loop.size() ? 0 : k + 1];
+      const int here = side_[corner.vertex];
+      const int there = side_[next.vertex];
+      if (here <= 0) {
+        // An edge that leaves the inner side, or touches the plane with both ends, continues (or
+        // lies) on the rim; otherwise it stays the edge it was.
+        const bool on_rim = here == 0 && there >= 0;
+        result_.corners.push_back({keep(corner.vertex), on_rim ? plane : corner.across});
+      }
+      if (here * there < 0) {
+        const std::uint32_t vertex = cut(corner.vertex, next.vertex, face.plane, corner.across);
+        result_.corners.push_back({vertex, here < 0 ? plane : corner.across});
+      }
+    }
+    const auto count = static_cast<std::uint32_t>(result_.corners.size()) - first;
+    result_.faces.push_back({face.plane, first, count});
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const auto& corner = result_.corners[first + k];
+      if (corner.across != plane) continue;
+      const auto& next = result_.corners[first + (k + 1 == count ? 0 : k + 1)];
+      rim_.push_back({next.vertex, corner.vertex, face.plane});
+    }
+  }
+
+  // The new face: the rim, seen from outside.
+  const auto first = static_cast<std::uint32_t>(result_.corners.size());
+  std::uint32_t at = rim_.front().from;
+  for (std::size_t k = 0; k < rim_.size(); ++k) {
+    const auto edge =
+        std::find_if(rim_.begin(), rim_.end(), [&](const Rim& rim) { return rim.from == at; });
+    assert(edge != rim_.end());
+    result_.corners.push_back({at, edge->inside});
+    at = edge->to;
+  }
+  assert(at == rim_.front().from);
+  result_.faces.push_back({plane, first, static_cast<std::uint32_t>(rim_.size())});
+  std::swap(polyhedron, result_);
+  return ClipResult::Cut;
+}
+
+double volume(const Polyhedron& polyhedron) {
+  if (polyhedron.vertices.empty()) return 0;
+  const Vec3 origin = polyhedron.vertices.front().position;
+  double six_volumes = 0;
+  for (const Polyhedron::Face& face : polyhedron.faces) {
+    const auto loop = polyhedron.loop(face);
+    const Vec3 a = polyhedron.vertices[loop[0].vertex].position - origin;
+    for (std::size_t k = 1; k + 1 < loop.size(); ++k) {
+      const Vec3 b = polyhedron.vertices[loop[k].vertex].position - origin;
+      const Vec3 c = polyhedron.vertices[loop[k + 1].vertex].position - origin;
+      six_volumes += glm::dot(a, glm::cross(b, c));
+    }
+  }
+  return six_volumes / 6;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,78 @@
+// Convex polyhedra named by their planes, clipped exactly.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "common/geometry/plane.hpp"
+
+namespace spoctree {
+
+/// A corner of a convex polyhedron: exactly, the point in which `planes` meet; `position` is that
+/// point up to `error` per coordinate. More than three faces may meet in it.
+struct PolyhedronVertex {
+  Vec3 position{0.0};
+  double error = 0;
+  PlaneRef planes[3];
+};
+
+/// A closed convex polyhedron with non-empty interior, as faces with their outward planes. Faces
+/// are loops of corners, counter-clockwise seen from outside; the edge that leaves a corner is
+/// shared with the face on plane `across`. Each face's plane is that of exactly one face.
+struct Polyhedron {
+  struct Corner {
+    std::uint32_t vertex = 0;
+    PlaneRef across;
+  };
+  struct Face {
+    PlaneRef plane;
+    std::uint32_t first = 0;
+    std::uint32_t count = 0;
+  };
+  std::vector<PolyhedronVertex> vertices;
+  std::vector<Corner> corners;
+  std::vector<Face> faces;
+
+  std::span<const Corner> loop(const Face& face) const {
+    return {corners.data() + face.first, face.count};
+  }
+  void clear();
+};
+
+/// A cell of the octree as a polyhedron. `lower` are the wall indices of its lower walls (units of
+/// the finest cells, see wall_coordinate), `size` its side in the same units.
+Polyhedron make_cell(const std::uint32_t (&lower)[3], std::uint32_t size, const PlaneSet& planes);
+
+enum class ClipResult { Unchanged, Cut, Empty };
+
+/// Intersects polyhedra with half-spaces. Holds working memory: use one per thread.
+class PolyhedronClipper {
+ public:
+  /// Replaces `polyhedron` by its intersection with the half-space of `plane`. Signs are exact, so
+  /// the result has the combinatorial structure of the exact intersection; `Empty` (and then the
+  /// polyhedron is unspecified) if the intersection has no interior. O(corners).
+  ClipResult clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes);
+
+ private:
+  struct Created {
+    std::uint32_t from, to, vertex;
+  };
+  struct Rim {
+    std::uint32_t from, to;
+    PlaneRef inside;
+  };
+  std::vector<signed char> side_;
+  std::vector<Created> created_;
+  std::vector<Rim> rim_;
+  std::vector<std::uint32_t> renumbered_;
+  Polyhedron result_;
+};
+
+/// Exact side of a polyhedron's vertex with respect to a plane.
+int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes);
+
+/// Volume in cubed units of universe coordinates, relative error about 1e-13 of the cell it fills.
+double volume(const Polyhedron& polyhedron);
+
+}  // namespace spoctree

@@ -1,0 +1,69 @@
+// Exact signs on the grid: which side of a plane a point lies on, whether the point is given by
+// coordinates, by three planes, or by an edge that crosses a plane.
+//
+// Every function first evaluates in doubles with a proven error bound, then, if the sign is in
+// doubt, in integers (all inputs are integers of at most 54 bits times 2^-52; the widest
+// determinant has 216 bits). Plane-based points follow Bernstein and Fussell, Fast, exact, linear
+// booleans, SGP 2009.
+#pragma once
+
+#include "common/geometry/plane.hpp"
+
+namespace spoctree {
+
+/// Sign of normal . point - offset: -1 inside the half-space, 0 on the plane, +1 outside.
+/// REQUIRES: the point is on the grid (it is not checked).
+int side_of_point(const Plane& plane, Vec3 point);
+
+/// The same for any finite doubles, on the grid or not; exact too.
+int side_of_any_point(const Plane& plane, Vec3 point);
+
+/// Side of the point in which `p`, `q` and `r` meet with respect to `plane`, integers only.
+/// REQUIRES: the three normals are linearly independent.
+int side_of_intersection(const Plane& p, const Plane& q, const Plane& r, const Plane& plane);
+
+/// Side of the point in which the segment from `a` to `b` (grid points) meets `crossed`, with
+/// respect to `plane`, integers only. REQUIRES: a and b lie strictly on different sides of
+/// `crossed`, or one of them lies on it.
+int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane);
+
+/// Orientation of the three normals: the sign of their determinant.
+int orientation_of_normals(const Plane& p, const Plane& q, const Plane& r);
+
+/// A point with a bound on its error: no coordinate is off by more than `error`.
+struct ApproximatePoint {
+  Vec3 position{0.0};
+  double error = 0;
+};
+
+/// The point in which three planes meet. The error is at most 2^-45 unless the point lies outside
+/// the universe cube; ill-conditioned intersections are computed with integers.
+/// REQUIRES: the three normals are linearly independent.
+ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane& r);
+
+/// The point in which the segment from `a` to `b` meets `crossed`; same promise.
+ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed);
+
+/// The coordinates of the point in which three planes meet, each rounded down to a multiple of
+/// 2^-`bits`, in units of that step: a function of the exact point alone, whichever planes name it.
+/// REQUIRES: the three normals are linearly independent; 1 <= bits <= 60; the point is in the
+/// universe cube (coordinates at most 1 in magnitude).
+struct RoundedPoint {
+  std::int64_t x = 0, y = 0, z = 0;
+  bool operator==(const RoundedPoint&) const = default;
+  auto operator<=>(const RoundedPoint&) const = default;
+};
+RoundedPoint rounded_intersection(const Plane& p, const Plane& q, const Plane& r, int bits);
+
+/// The line in which two planes meet, as a name: a function of the exact line alone (its Pluecker
+/// coordinates relative to the largest component of the direction, rounded down to 2^-50), so that
+/// every pair of planes that contain the line gives the same name.
+struct RoundedLine {
+  int axis = 0;  ///< the largest component of the direction, which is taken as +1
+  std::int64_t coordinates[5] = {0, 0, 0, 0, 0};  ///< the other two of the direction, the moment
+  bool operator==(const RoundedLine&) const = default;
+};
+/// REQUIRES: the planes are not parallel, and the line meets the universe cube.
+RoundedLine rounded_line(const Plane& p, const Plane& q);
+
+}  // namespace spoctree

@@ -1,0 +1,23 @@
+// Every tolerance of the product, each with its meaning. None of them decides what is in a tree:
+// trees are built, validated and rebuilt with exact signs only (predicates.hpp).
+// Lengths are fractions of the universe cube's diagonal unless a name says otherwise.
+#pragma once
+
+namespace spoctree {
+
+/// Neighbouring triangles become one face when all their corners lie within this distance of one
+/// plane (`build --flat-tolerance`). The default merges what differs by the rounding of doubles.
+inline constexpr double kDefaultFlatTolerance = 1e-12;
+
+/// Rebuilt vertices closer than this become one vertex: several planes that meet in one vertex of
+/// the solid meet, once rounded to the grid, in a cluster of vertices far smaller than this.
+inline constexpr double kWeldTolerance = 1e-10;
+
+/// In the picture plane, points nearer to a line than this count as on it (fraction of the
+/// universe cube's diagonal): outlines of neighbouring pieces share edges up to rounding only.
+inline constexpr double kPictureTolerance = 1e-10;
+
+/// Visible line parts shorter than this are not drawn (fraction of the universe cube's diagonal).
+inline constexpr double kShortestLine = 1e-8;
+
+}  // namespace spoctree

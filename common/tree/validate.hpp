@@ -1,0 +1,23 @@
+// Names every broken invariant of a tree.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/tree/octree.hpp"
+
+namespace spoctree {
+
+/// The broken invariants of `tree`, one line each, at most `limit` of them; empty for a valid tree.
+/// Checked: the universe and every plane are valid; level sizes follow from the GREY counts; no
+/// level deeper than kMaxDepth; columns have matching lengths; kinds are known; reference counts
+/// fit the kind (White, Black: 0; Convex >= 1; Concave >= 2; Vertex >= 3 unless its expression
+/// needs fewer); references are in range, distinct within a node, and appear for the first time in
+/// increasing order; no node repeats a plane of an ancestor; expressions are well-formed and use
+/// planes of their node. Linear in the tree's size times its depth.
+std::vector<std::string> validate(const Octree& tree, std::size_t limit = 20);
+
+/// True if `tokens` is one well-formed preorder expression over `plane_count` planes.
+bool is_well_formed(std::span<const std::uint32_t> tokens, std::uint32_t plane_count);
+
+}  // namespace spoctree

@@ -1,0 +1,58 @@
+// The solid a tree is built from: triangles on the grid of its universe cube, grouped into plane
+// facets. Incidence (which vertex lies on which plane) is knowledge here, not a computed number.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "common/geometry/plane.hpp"
+#include "common/geometry/universe.hpp"
+
+namespace spoctree {
+
+/// A triangle, counter-clockwise seen from outside. Edge i runs from vertex[i] to vertex[i + 1].
+struct SolidTriangle {
+  std::uint32_t vertex[3];
+  std::uint32_t neighbour[3];  ///< the triangle across edge i
+  std::uint32_t facet;
+};
+
+/// What import found and did, for the summary of `build`.
+struct SolidReport {
+  std::size_t input_faces = 0;
+  std::size_t triangulated_faces = 0;  ///< polygons with more than three corners
+  double largest_unevenness = 0;  ///< of those, the largest distance of a corner from the polygon's
+                                  ///< mean plane, as a fraction of the bounding box's diagonal
+  bool was_turned = false;        ///< all faces pointed inwards and were reversed
+  std::size_t merged_points = 0;
+  std::size_t planes_before_merging = 0;  ///< distinct planes with flat tolerance 0
+  double largest_merge_distance = 0;  ///< of a corner from its facet's plane, model units
+};
+
+/// A closed, oriented, 2-manifold, not self-intersecting polyhedral solid (possibly of several
+/// shells). All coordinates are universe coordinates on the grid.
+struct Solid {
+  Universe universe;
+  std::vector<Vec3> vertices;
+  std::vector<SolidTriangle> triangles;
+  /// A facet is a connected set of coplanar triangles; several facets may lie on one plane.
+  std::vector<std::uint32_t> facet_plane;         ///< index in `planes`
+  std::vector<std::uint32_t> facet_vertex_begin;  ///< facets + 1 offsets into facet_vertices
+  std::vector<std::uint32_t> facet_vertices;      ///< sorted per facet
+  /// Every vertex of a facet satisfies normal . v <= offset exactly: offsets are rounded outwards.
+  std::vector<Plane> planes;
+  /// No vertex is farther than this inside a plane of a facet it belongs to (universe units).
+  double largest_incidence_gap = 0;
+  double volume = 0;  ///< model units
+  SolidReport report;
+
+  std::size_t facet_count() const { return facet_plane.size(); }
+  std::span<const std::uint32_t> vertices_of_facet(std::uint32_t facet) const {
+    return {facet_vertices.data() + facet_vertex_begin[facet],
+            facet_vertex_begin[facet + 1] - facet_vertex_begin[facet]};
+  }
+};
+
+}  // namespace spoctree
