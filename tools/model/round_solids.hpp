@@ -1,0 +1,21 @@
+// Solids of revolution as polyhedra with as many faces as are asked for.
+#pragma once
+
+#include "tools/model/polygon_mesh.hpp"
+
+namespace spoctree::model {
+
+/// A sphere of radius 50 mm around the origin, its corners on the sphere: `bands` bands of latitude
+/// of 2 * bands faces each, triangles at the poles and trapezoids elsewhere. O(bands^2).
+/// REQUIRES: bands >= 2.
+PolygonMesh make_sphere(int bands);
+
+/// A prism over a regular polygon of radius 50 mm, 100 mm high, bottom at z = 0; its caps are
+/// single polygons. REQUIRES: sides >= 3.
+PolygonMesh make_cylinder(int sides);
+
+/// A pyramid over a regular polygon of radius 50 mm, 100 mm high, bottom at z = 0; its base is a
+/// single polygon. REQUIRES: sides >= 3.
+PolygonMesh make_cone(int sides);
+
+}  // namespace spoctree::model
