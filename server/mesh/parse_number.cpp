@@ -1,0 +1,68 @@
+#include "server/mesh/parse_number.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <system_error>
+
+namespace spoctree {
+
+namespace {
+
+// std::from_chars knows no leading plus sign; many writers of mesh files do.
+std::string_view without_plus(std::string_view word) {
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
+  return word;
+}
+
+// std::from_chars reports numbers below and above the range of double alike. Which of the two a
+// valid number is follows from the sign of the decimal exponent of its first nonzero digit.
+bool is_below_range(std::string_view word) {
+  const std::size_t e = word.find_first_of("eE");
+  const std::string_view digits = word.substr(0, e);
+  const std::size_t first = digits.find_first_of("123456789");
+  if (first == std::string_view::npos) return true;
+  std::int64_t exponent = 0;
+  if (e != std::string_view::npos) {
+    const std::string_view text = without_plus(word.substr(e + 1));
+    const auto end = text.data() + text.size();
+    if (std::from_chars(text.data(), end, exponent).ec != std::errc()) {
+      return text.front() == '-';  // an exponent of more than 18 digits
+    }
+  }
+  const std::size_t point = digits.find('.');
+  const std::size_t units = point == std::string_view::npos ? digits.size() : point;
+  return exponent < static_cast<std::int64_t>(first) - static_cast<std::int64_t>(units);
+}
+
+}  // namespace
+
+ParsedReal parse_real(std::string_view word) {
+  word = without_plus(word);
+  ParsedReal parsed;
+  const auto end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, parsed.value);
+  if (error == std::errc::invalid_argument || stop != end) {
+    parsed.fault = "is not a number";
+  } else if (error == std::errc::result_out_of_range) {
+    if (!is_below_range(word)) parsed.fault = "is too large a number";
+    parsed.value = 0;
+  } else if (!std::isfinite(parsed.value)) {
+    parsed.fault = "is not a finite number";
+  }
+  return parsed;
+}
+
+ParsedInteger parse_integer(std::string_view word) {
+  word = without_plus(word);
+  ParsedInteger parsed;
+  const auto end = word.data() + word.size();
+  const auto [stop, error] = std::from_chars(word.data(), end, parsed.value);
+  if (error == std::errc::invalid_argument || stop != end) {
+    parsed.fault = "is not a whole number";
+  } else if (error == std::errc::result_out_of_range) {
+    parsed.fault = "is too large a number";
+  }
+  return parsed;
+}
+
+}  // namespace spoctree
