@@ -1,0 +1,183 @@
+#include "server/build/certify.hpp"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <queue>
+
+#include "common/tree/classify.hpp"
+#include "common/tree/pieces.hpp"
+
+namespace spoctree {
+
+namespace {
+
+/// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 ap = p - a;
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return glm::length(ap);
+  const Vec3 bp = p - b;
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return glm::length(bp);
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return glm::length(ap - d1 / (d1 - d3) * ab);
+  const Vec3 cp = p - c;
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return glm::length(cp);
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return glm::length(ap - d2 / (d2 - d6) * ac);
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    return glm::length(bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b));
+  }
+  const double sum = va + vb + vc;
+  return glm::length(ap - ab * (vb / sum) - ac * (vc / sum));
+}
+
+/// Distances are computed to better than this; it is added to every bound (universe units).
+constexpr double kDistanceRounding = 1e-12;
+
+/// Distance queries spent on one level at most.
+constexpr std::size_t kQueriesPerLevel = 20000;
+
+/// Sums volumes, and keeps the GREY pieces that may hold a level's largest error.
+class LevelSurvey : public PieceVisitor {
+ public:
+  struct Candidate {
+    double bound;
+    Polyhedron piece;
+  };
+
+  LevelSurvey(const BuiltOctree& built, const Solid& solid, const SolidQueries& queries)
+      : built_(built),
+        solid_(solid),
+        queries_(queries),
+        leaf_volume(built.tree.levels.size(), 0.0),
+        grey_volume(built.tree.levels.size(), 0.0),
+        attained(built.tree.levels.size(), 0.0),
+        candidates(built.tree.levels.size()) {}
+
+  void piece(const NodeAddress& address, NodeKind, std::uint32_t,
+             const Polyhedron& piece) override {
+    leaf_volume[address.level] += volume(piece);
+  }
+
+  void inner(const NodeAddress& address, const Polyhedron& region) override {
+    grey_volume[address.level] += volume(region);
+    const std::uint32_t grey =
+        built_.tree.levels[address.level].first_child[address.index] / 8;
+    const SolidTriangle& witness =
+        solid_.triangles[built_.witnesses[address.level][grey]];
+    const Vec3 a = solid_.vertices[witness.vertex[0]];
+    const Vec3 b = solid_.vertices[witness.vertex[1]];
+    const Vec3 c = solid_.vertices[witness.vertex[2]];
+    double bound = 0;
+    for (const PolyhedronVertex& vertex : region.vertices) {
+      bound = std::max(bound, distance_to_triangle(vertex.position, a, b, c) + vertex.error);
+    }
+    double& reached = attained[address.level];
+    if (bound <= kErrorBoundRatio * reached) return;
+    for (const PolyhedronVertex& vertex : region.vertices) {
+      if (distance_to_triangle(vertex.position, a, b, c) <= reached) continue;
+      if (classify_point(built_.tree, vertex.position) == PointClass::In) continue;
+      reached = std::max(reached, queries_.distance(vertex.position));
+    }
+    if (bound > kErrorBoundRatio * reached) candidates[address.level].push_back({bound, region});
+  }
+
+  /// A certified bound of the level's error, in universe units.
+  double bound(std::uint32_t level) {
+    struct Box {
+      double bound;
+      Vec3 centre;
+      Vec3 half;
+      const Polyhedron* piece;
+      bool operator<(const Box& other) const { return bound < other.bound; }
+    };
+    std::priority_queue<Box> open;
+    double& reached = attained[level];
+    for (const Candidate& candidate : candidates[level]) {
+      if (candidate.bound <= kErrorBoundRatio * reached) continue;
+      const auto& vertices = candidate.piece.vertices;
+      Vec3 lower = vertices.front().position;
+      Vec3 upper = lower;
+      for (const PolyhedronVertex& vertex : vertices) {
+        lower = glm::min(lower, vertex.position);
+        upper = glm::max(upper, vertex.position);
+      }
+      open.push({candidate.bound, 0.5 * (lower + upper), 0.5 * (upper - lower), &candidate.piece});
+    }
+    const PlaneSet planes = built_.tree.plane_set();
+    std::size_t queries = 0;
+    while (!open.empty() && open.top().bound > kErrorBoundRatio * reached &&
+           queries < kQueriesPerLevel) {
+      const Box box = open.top();
+      open.pop();
+      for (unsigned octant = 0; octant < 8; ++octant) {
+        Box part = box;
+        part.half = 0.5 * box.half;
+        for (int axis = 0; axis < 3; ++axis) {
+          part.centre[axis] += ((octant >> axis) & 1) ? part.half[axis] : -part.half[axis];
+        }
+        bool centre_in_piece = true;
+        if (!may_meet(*box.piece, planes, part.centre, part.half, centre_in_piece)) continue;
+        ++queries;
+        const bool in_solid = classify_point(built_.tree, part.centre) == PointClass::In;
+        const double distance = in_solid ? 0.0 : queries_.distance(part.centre);
+        if (centre_in_piece) reached = std::max(reached, distance);
+        part.bound = std::min(box.bound, distance + glm::length(part.half));
+        if (part.bound > kErrorBoundRatio * reached) open.push(part);
+      }
+    }
+    const double bound = std::max(kErrorBoundRatio * reached, open.empty() ? 0.0 : open.top().bound);
+    return bound + kDistanceRounding;
+  }
+
+ private:
+  static bool may_meet(const Polyhedron& piece, const PlaneSet& planes, Vec3 centre, Vec3 half,
+                       bool& centre_in_piece) {
+    constexpr double kRounding = 1e-14;
+    for (const Polyhedron::Face& face : piece.faces) {
+      const Plane plane = planes[face.plane];
+      const double value = glm::dot(plane.normal, centre) - plane.offset;
+      if (value - glm::dot(glm::abs(plane.normal), half) > kRounding) return false;
+      if (value > 0) centre_in_piece = false;
+    }
+    return true;
+  }
+
+  const BuiltOctree& built_;
+  const Solid& solid_;
+  const SolidQueries& queries_;
+
+ public:
+  std::vector<double> leaf_volume;  ///< per level, universe units
+  std::vector<double> grey_volume;
+  std::vector<double> attained;  ///< a distance that some point of T_k has
+  std::vector<std::vector<Candidate>> candidates;
+};
+
+}  // namespace
+
+void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries) {
+  LevelSurvey survey(built, solid, queries);
+  walk_pieces(built.tree, {}, survey);
+  const double unit = built.tree.universe.scale();
+  const double unit_volume = unit * unit * unit;
+  double inner = 0;
+  for (std::uint32_t k = 0; k < built.tree.levels.size(); ++k) {
+    Level& level = built.tree.levels[k];
+    inner += survey.leaf_volume[k];
+    level.statement.inner_volume = inner * unit_volume;
+    level.statement.outer_volume = (inner + survey.grey_volume[k]) * unit_volume;
+    level.statement.error_bound = level.grey_count == 0 ? 0 : survey.bound(k) * unit;
+  }
+}
+
+}  // namespace spoctree

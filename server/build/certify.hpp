@@ -1,0 +1,22 @@
+// What the server certifies about every level: volumes, and how far T_k can be from the solid.
+#pragma once
+
+#include "server/build/build_octree.hpp"
+
+namespace spoctree {
+
+/// Fills the statement of every level of a complete tree.
+///
+/// Volumes are sums over the tree's convex pieces. The error bound of level k is an upper bound of
+/// the one-sided Hausdorff distance from T_k to the solid: T_k differs from the solid only in the
+/// GREY cells of level k, and a cell's piece Q is bounded by the largest distance of its corners
+/// from one triangle of the solid (the distance from a convex set is convex). The cells that this
+/// leaves in question are subdivided, best bound first, with distances from the whole solid, until
+/// the bound is within kErrorBoundRatio of a distance that is attained, or a limit of work is
+/// reached. Rounding is added to the bound.
+void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries);
+
+/// The bound is at most this times the true distance, unless the limit of work was reached.
+inline constexpr double kErrorBoundRatio = 1.1;
+
+}  // namespace spoctree
