@@ -34,10 +34,9 @@ class TextStlReader {
       : cursor_(bytes, name, {.comment = '\0'}), table_(soup_.points) {}
 
   PolygonSoup read() {
-    // Names may be anything; they end with their line.
-    for (bool more = cursor_.next_line(); more; more = cursor_.next_line()) {
+    while (cursor_.next_line()) {
       expect("solid");
-      more = cursor_.next_line();
+      cursor_.next_line();  // past the name, which may be anything and ends with its line
       std::string_view word = cursor_.next_word();
       while (equals_ignoring_case(word, "facet")) {
         read_facet({"facet", soup_.face_count()});

@@ -1,0 +1,124 @@
+#include "server/mesh/read_mesh.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "server/mesh/limits.hpp"
+#include "tests/unit/mesh/mesh_test_support.hpp"
+
+namespace spoctree {
+namespace {
+
+using namespace mesh_test;
+
+class ReadMesh : public ::testing::Test {
+ protected:
+  ReadMesh() {
+    folder_ = std::filesystem::temp_directory_path() /
+              ("spoctree-read-mesh-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder_);
+  }
+  ~ReadMesh() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+    return folder_ / name;
+  }
+
+  std::filesystem::path folder_;
+};
+
+std::string error(const std::filesystem::path& path) {
+  return error_of([&] { read_mesh(path); });
+}
+
+TEST_F(ReadMesh, TakesTheFormatFromTheExtensionInAnyCase) {
+  EXPECT_EQ(read_mesh(write("a.off", kTetrahedronOff)).face_count(), 4U);
+  EXPECT_EQ(read_mesh(write("a.OBJ", kTetrahedronObj)).face_count(), 4U);
+  EXPECT_EQ(read_mesh(write("a.Stl", kTetrahedronTextStl)).face_count(), 4U);
+  EXPECT_EQ(read_mesh(write("b.stl", tetrahedron_binary_stl())).face_count(), 4U);
+  EXPECT_EQ(read_mesh(write("a.ply", kTetrahedronTextPly)).face_count(), 4U);
+  EXPECT_EQ(read_mesh(write("b.ply", tetrahedron_binary_ply(ByteOrder::BigEndian))).face_count(),
+            4U);
+}
+
+TEST_F(ReadMesh, RejectsUnknownExtensions) {
+  for (const char* name : {"a.step", "a", "a.off.gz", ".off"}) {
+    const auto path = write(name, kTetrahedronOff);
+    EXPECT_EQ(error(path), path.string() +
+                               ": unknown mesh format (the name should end in .off, .obj, .stl or "
+                               ".ply)");
+  }
+}
+
+TEST_F(ReadMesh, RejectsContentOfAnotherFormat) {
+  const std::pair<std::string, std::string> contents[] = {{"OFF", kTetrahedronOff},
+                                                          {"STL", kTetrahedronTextStl},
+                                                          {"STL", tetrahedron_binary_stl()},
+                                                          {"PLY", kTetrahedronTextPly}};
+  const std::pair<std::string, std::string> names[] = {
+      {"OFF", "a.off"}, {"OBJ", "a.obj"}, {"STL", "a.stl"}, {"PLY", "a.ply"}};
+  for (const auto& [content, bytes] : contents) {
+    for (const auto& [format, name] : names) {
+      if (format == content) continue;
+      const auto path = write(name, bytes);
+      EXPECT_EQ(error(path),
+                path.string() + ": the name says " + format + ", the content is " + content);
+    }
+  }
+  for (const char* name : {"a.off", "a.stl", "a.ply"}) {
+    EXPECT_NE(error(write(name, kTetrahedronObj)), "no error");
+  }
+}
+
+TEST_F(ReadMesh, MergesPointsAndRemovesUnusedOnes) {
+  const PolygonSoup soup =
+      read_mesh(write("a.off",
+                      "OFF\n8 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n9 9 9\n-0 0 0\n1 0 0\n0 1 0\n"
+                      "3 0 2 1\n3 5 6 3\n3 5 3 7\n3 6 7 3\n"));
+  EXPECT_EQ(soup.points, kTetrahedronPoints);
+  EXPECT_EQ(faces_of(soup), kTetrahedronFaces);
+}
+
+TEST_F(ReadMesh, RejectsFacesThatCollapseWhenPointsAreMerged) {
+  const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 2 4\n");
+  EXPECT_EQ(error(path), path.string() +
+                             ": face 1 (counted from 0) has two corners at the same point "
+                             "(1.000000, 0.000000, 0.000000)");
+}
+
+TEST_F(ReadMesh, RejectsEmptyFiles) {
+  for (const char* name : {"a.off", "a.obj", "a.stl", "a.ply"}) {
+    const auto path = write(name, "");
+    EXPECT_EQ(error(path), path.string() + ": the file is empty");
+  }
+}
+
+TEST_F(ReadMesh, RejectsWhatIsNoReadableFile) {
+  EXPECT_EQ(error(folder_ / "absent.off"),
+            (folder_ / "absent.off").string() + ": cannot open: No such file or directory");
+  std::filesystem::create_directory(folder_ / "folder.off");
+  EXPECT_EQ(error(folder_ / "folder.off"),
+            (folder_ / "folder.off").string() + ": not a regular file");
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.off").c_str(), 0600), 0);
+  EXPECT_EQ(error(folder_ / "pipe.off"), (folder_ / "pipe.off").string() + ": not a regular file");
+}
+
+TEST_F(ReadMesh, RejectsFilesOverTheSizeLimitWithoutReadingThem) {
+  const auto path = write("huge.stl", "");
+  std::filesystem::resize_file(path, mesh_limits::kMaxFileBytes + 1);  // sparse
+  EXPECT_EQ(error(path),
+            path.string() + ": the file has 4294967297 bytes, the limit is 4294967296");
+}
+
+TEST_F(ReadMesh, NamesFileAndLine) {
+  const auto path = write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 x 0\n3 0 1 2\n");
+  EXPECT_EQ(error(path), path.string() + ":5: vertex 2: 'x' is not a number");
+}
+
+}  // namespace
+}  // namespace spoctree
