@@ -35,23 +35,6 @@ bool columns_match(const Level& level) {
          offsets_match(level.token_begin, level.tokens.size());
 }
 
-const char* wrong_plane_count(NodeKind kind, std::size_t count) {
-  switch (kind) {
-    case NodeKind::White:
-    case NodeKind::Black:
-      return count == 0 ? nullptr : "a homogeneous node has planes";
-    case NodeKind::Grey:
-      return nullptr;
-    case NodeKind::Convex:
-      return count >= 1 ? nullptr : "a convex node without planes";
-    case NodeKind::Concave:
-      return count >= 2 ? nullptr : "a concave node with fewer than 2 planes";
-    case NodeKind::Vertex:
-      return count >= 1 ? nullptr : "a vertex node without planes";
-  }
-  return "an unknown kind";
-}
-
 /// The planes of a node's ancestors, kept as a mark per plane while the tree is walked.
 class AncestorCheck {
  public:
@@ -86,6 +69,23 @@ class AncestorCheck {
 };
 
 }  // namespace
+
+const char* plane_count_error(NodeKind kind, std::size_t count) {
+  switch (kind) {
+    case NodeKind::White:
+    case NodeKind::Black:
+      return count == 0 ? nullptr : "a homogeneous node has planes";
+    case NodeKind::Grey:
+      return nullptr;
+    case NodeKind::Convex:
+      return count >= 1 ? nullptr : "a convex node without planes";
+    case NodeKind::Concave:
+      return count >= 2 ? nullptr : "a concave node with fewer than 2 planes";
+    case NodeKind::Vertex:
+      return count >= 1 ? nullptr : "a vertex node without planes";
+  }
+  return "an unknown kind";
+}
 
 bool is_well_formed(std::span<const std::uint32_t> tokens, std::uint32_t plane_count) {
   // Each split asks for one expression more than it satisfies.
@@ -133,7 +133,7 @@ std::vector<std::string> validate(const Octree& tree, std::size_t limit) {
       const NodeKind kind = level.kinds[node];
       const auto planes = level.planes_of(node);
       const auto expression = level.expression_of(node);
-      if (const char* wrong = wrong_plane_count(kind, planes.size())) {
+      if (const char* wrong = plane_count_error(kind, planes.size())) {
         findings.add(at(depth, node) + wrong);
       }
       for (const std::uint32_t plane : planes) {

@@ -17,6 +17,9 @@ namespace spoctree {
 /// planes of their node. Linear in the tree's size times its depth.
 std::vector<std::string> validate(const Octree& tree, std::size_t limit = 20);
 
+/// What is wrong with a node of `kind` that has `count` planes; nullptr if nothing is.
+const char* plane_count_error(NodeKind kind, std::size_t count);
+
 /// True if `tokens` is one well-formed preorder expression over `plane_count` planes.
 bool is_well_formed(std::span<const std::uint32_t> tokens, std::uint32_t plane_count);
 
