@@ -18,8 +18,13 @@ namespace {
 }  // namespace
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path_, ignored);
   temporary_ = path_;
-  temporary_ += ".tmp" + std::to_string(::getpid());
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
+    temporary_ += ".tmp" + std::to_string(::getpid());
+    temporary_name_.emplace(temporary_.string());
+  }
   file_ = std::fopen(temporary_.c_str(), "wb");
   if (file_ == nullptr) fail(path_, "create");
 }
@@ -28,7 +33,7 @@ AtomicFile::~AtomicFile() {
   if (file_ == nullptr) return;
   std::fclose(file_);
   std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  if (temporary_name_) std::filesystem::remove(temporary_, ignored);
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -40,12 +45,12 @@ void AtomicFile::commit() {
   const bool closed = std::fclose(file_) == 0;
   file_ = nullptr;
   std::error_code error;
-  if (flushed && closed) std::filesystem::rename(temporary_, path_, error);
+  if (flushed && closed && temporary_name_) std::filesystem::rename(temporary_, path_, error);
   if (flushed && closed && !error) return;
   if (error) errno = error.value();
   const int reason = errno;
   std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
+  if (temporary_name_) std::filesystem::remove(temporary_, ignored);
   errno = reason;
   fail(path_, "write");
 }

@@ -3,12 +3,16 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string_view>
+
+#include "common/base/temporary_name.hpp"
 
 namespace spoctree {
 
 /// Collects bytes in a temporary file beside `path`; `commit` flushes and renames it over `path`.
-/// Destroyed without `commit`, the temporary file is removed and `path` is as it was before.
+/// Destroyed without `commit`, the temporary file is removed and `path` is as it was before. Where
+/// `path` is a device or a pipe there is nothing to replace: it is written as it stands.
 /// Throws BadInput (naming the path and the system's reason) when the file cannot be created,
 /// written or renamed.
 class AtomicFile {
@@ -24,6 +28,7 @@ class AtomicFile {
  private:
   std::filesystem::path path_;
   std::filesystem::path temporary_;
+  std::optional<TemporaryName> temporary_name_;
   std::FILE* file_ = nullptr;
 };
 

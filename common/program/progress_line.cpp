@@ -1,0 +1,35 @@
+#include "common/program/progress_line.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace spoctree {
+
+namespace {
+constexpr std::chrono::milliseconds kInterval{100};
+}
+
+ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+bool ProgressLine::wants_text() const {
+  return is_terminal_ && std::chrono::steady_clock::now() >= next_;
+}
+
+void ProgressLine::show(const std::string& text) {
+  if (!is_terminal_) return;
+  next_ = std::chrono::steady_clock::now() + kInterval;
+  is_shown_ = true;
+  // Carriage return, the text, erase to the end of the line.
+  std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
+  std::fflush(stderr);
+}
+
+void ProgressLine::clear() {
+  if (!is_shown_) return;
+  is_shown_ = false;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+}
+
+}  // namespace spoctree
