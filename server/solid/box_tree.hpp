@@ -1,0 +1,166 @@
+// Boxes into a binary tree that finds those that overlap each other, stand above a point, or are
+// near one. Everything geometric about triangles goes through it: self-intersections, inside or
+// outside, distance.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "common/geometry/universe.hpp"
+
+namespace spoctree {
+
+/// A closed box.
+struct Box {
+  Vec3 lower{0.0};
+  Vec3 upper{0.0};
+
+  bool overlaps(const Box& other) const {
+    return lower.x <= other.upper.x && other.lower.x <= upper.x && lower.y <= other.upper.y &&
+           other.lower.y <= upper.y && lower.z <= other.upper.z && other.lower.z <= upper.z;
+  }
+  /// Whether the ray from `p` along +z meets the box.
+  bool is_met_above(Vec3 p) const {
+    return lower.x <= p.x && p.x <= upper.x && lower.y <= p.y && p.y <= upper.y && upper.z >= p.z;
+  }
+  double squared_distance(Vec3 p) const {
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double d = std::max({lower[i] - p[i], p[i] - upper[i], 0.0});
+      sum += d * d;
+    }
+    return sum;
+  }
+};
+
+/// A tree of halves: each node's boxes are split at the median of their centres along the longest
+/// side, down to leaves of a few. The same boxes give the same tree and the same order of visits.
+class BoxTree {
+ public:
+  /// O(n log n). Box i is known as i from here on. REQUIRES: less than 2^31 boxes, no NaN.
+  explicit BoxTree(std::span<const Box> boxes);
+
+  /// Calls visit(i, j) once for every pair of boxes that overlap.
+  template <class Visit>
+  void visit_overlapping_pairs(Visit visit) const {
+    if (!nodes_.empty()) visit_pairs_within(0, visit);
+  }
+
+  /// Calls visit(i) for every box that the ray from `p` along +z meets.
+  template <class Visit>
+  void visit_boxes_above(Vec3 p, Visit visit) const {
+    if (!nodes_.empty()) visit_above(0, p, visit);
+  }
+
+  /// The smallest of squared_distance(i), where that is at least the squared distance of box i from
+  /// `p`; infinity if there are no boxes.
+  template <class SquaredDistance>
+  double smallest_squared_distance(Vec3 p, SquaredDistance squared_distance) const {
+    double smallest = std::numeric_limits<double>::infinity();
+    if (!nodes_.empty()) search_nearest(0, p, squared_distance, smallest);
+    return smallest;
+  }
+
+ private:
+  // Preorder: the first child of an inner node follows it. Its boxes are leaves_[begin, end).
+  struct Node {
+    Box box;
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    std::uint32_t second_child = 0;  // 0: a leaf
+  };
+  struct Leaf {
+    Box box;
+    std::uint32_t index = 0;
+  };
+
+  void build(std::uint32_t begin, std::uint32_t end);
+
+  template <class Visit>
+  void visit_pairs_within(std::uint32_t node_index, Visit& visit) const {
+    const Node& node = nodes_[node_index];
+    if (node.second_child == 0) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i) {
+        for (std::uint32_t j = i + 1; j < node.end; ++j) visit_if_overlapping(i, j, visit);
+      }
+      return;
+    }
+    visit_pairs_within(node_index + 1, visit);
+    visit_pairs_within(node.second_child, visit);
+    visit_pairs_between(node_index + 1, node.second_child, visit);
+  }
+
+  template <class Visit>
+  void visit_pairs_between(std::uint32_t a_index, std::uint32_t b_index, Visit& visit) const {
+    const Node& a = nodes_[a_index];
+    const Node& b = nodes_[b_index];
+    if (!a.box.overlaps(b.box)) return;
+    if (a.second_child == 0 && b.second_child == 0) {
+      for (std::uint32_t i = a.begin; i < a.end; ++i) {
+        if (!leaves_[i].box.overlaps(b.box)) continue;
+        for (std::uint32_t j = b.begin; j < b.end; ++j) visit_if_overlapping(i, j, visit);
+      }
+    } else if (a.end - a.begin >= b.end - b.begin) {
+      visit_pairs_between(a_index + 1, b_index, visit);
+      visit_pairs_between(a.second_child, b_index, visit);
+    } else {
+      visit_pairs_between(a_index, b_index + 1, visit);
+      visit_pairs_between(a_index, b.second_child, visit);
+    }
+  }
+
+  template <class Visit>
+  void visit_if_overlapping(std::uint32_t i, std::uint32_t j, Visit& visit) const {
+    if (leaves_[i].box.overlaps(leaves_[j].box)) visit(leaves_[i].index, leaves_[j].index);
+  }
+
+  template <class Visit>
+  void visit_above(std::uint32_t node_index, Vec3 p, Visit& visit) const {
+    const Node& node = nodes_[node_index];
+    if (!node.box.is_met_above(p)) return;
+    if (node.second_child != 0) {
+      visit_above(node_index + 1, p, visit);
+      visit_above(node.second_child, p, visit);
+      return;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (leaves_[i].box.is_met_above(p)) visit(leaves_[i].index);
+    }
+  }
+
+  template <class SquaredDistance>
+  void search_nearest(std::uint32_t node_index, Vec3 p, SquaredDistance& squared_distance,
+                      double& smallest) const {
+    const Node& node = nodes_[node_index];
+    if (node.second_child == 0) {
+      for (std::uint32_t i = node.begin; i < node.end; ++i) {
+        if (leaves_[i].box.squared_distance(p) >= smallest) continue;
+        smallest = std::min(smallest, squared_distance(leaves_[i].index));
+      }
+      return;
+    }
+    std::uint32_t near = node_index + 1;
+    std::uint32_t far = node.second_child;
+    double near_distance = nodes_[near].box.squared_distance(p);
+    double far_distance = nodes_[far].box.squared_distance(p);
+    if (far_distance < near_distance) {
+      std::swap(near, far);
+      std::swap(near_distance, far_distance);
+    }
+    if (near_distance < smallest) search_nearest(near, p, squared_distance, smallest);
+    if (far_distance < smallest) search_nearest(far, p, squared_distance, smallest);
+  }
+
+  std::vector<Node> nodes_;
+  std::vector<Leaf> leaves_;
+};
+
+/// The box of a triangle.
+Box box_around(Vec3 a, Vec3 b, Vec3 c);
+
+}  // namespace spoctree

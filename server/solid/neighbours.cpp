@@ -1,0 +1,130 @@
+#include "server/solid/neighbours.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace spoctree {
+
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// Half-edge 3 t + i runs from corner i of triangle t to the next. It is filed under its smaller
+// vertex; `other` is the larger one.
+struct FiledHalfEdge {
+  std::uint32_t other;
+  std::uint32_t half_edge;
+  auto operator<=>(const FiledHalfEdge&) const = default;
+};
+
+std::uint32_t start_of(const GridMesh& mesh, std::uint32_t half_edge) {
+  return mesh.triangles[half_edge / 3][half_edge % 3];
+}
+std::uint32_t end_of(const GridMesh& mesh, std::uint32_t half_edge) {
+  return mesh.triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
+}
+
+// Counts one kind of faulty edge; the first is the one whose half-edge comes first.
+struct EdgeFault {
+  std::size_t count = 0;
+  std::uint32_t first = kNone;
+  void add(std::uint32_t half_edge) {
+    ++count;
+    first = std::min(first, half_edge);
+  }
+  void fail_if_any(const GridMesh& mesh, const std::string& fault, const std::string& edges) const {
+    if (count == 0) return;
+    mesh.fail(fault + ": " + edges + ", first at " +
+              mesh.place({start_of(mesh, first), end_of(mesh, first)}));
+  }
+};
+
+// The half-edges by edge: those of one edge stand together, in the order of the triangles.
+std::vector<FiledHalfEdge> file_half_edges(const GridMesh& mesh,
+                                           std::vector<std::uint32_t>& begin) {
+  const auto count = static_cast<std::uint32_t>(3 * mesh.triangles.size());
+  begin.assign(mesh.vertices.size() + 1, 0);
+  for (std::uint32_t h = 0; h < count; ++h) {
+    ++begin[std::min(start_of(mesh, h), end_of(mesh, h)) + 1];
+  }
+  for (std::size_t v = 1; v < begin.size(); ++v) begin[v] += begin[v - 1];
+  std::vector<FiledHalfEdge> filed(count);
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t h = 0; h < count; ++h) {
+    const auto [low, high] = std::minmax({start_of(mesh, h), end_of(mesh, h)});
+    filed[next[low]++] = {high, h};
+  }
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    std::sort(filed.begin() + begin[v], filed.begin() + begin[v + 1]);
+  }
+  return filed;
+}
+
+void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& neighbours) {
+  std::vector<bool> is_seen(3 * mesh.triangles.size(), false);
+  std::vector<bool> has_fan(mesh.vertices.size(), false);
+  std::vector<bool> is_split(mesh.vertices.size(), false);
+  std::size_t count = 0;
+  std::uint32_t first = kNone;
+  for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
+    if (is_seen[h]) continue;
+    const std::uint32_t vertex = start_of(mesh, h);
+    if (has_fan[vertex] && !is_split[vertex]) {
+      is_split[vertex] = true;
+      ++count;
+      first = std::min(first, vertex);
+    }
+    has_fan[vertex] = true;
+    // Once around the vertex: across the edge that leaves it, to the one that leaves it there.
+    for (std::uint32_t corner = h; !is_seen[corner];) {
+      is_seen[corner] = true;
+      const std::uint32_t t = neighbours[corner / 3][corner % 3];
+      const Corners& corners = mesh.triangles[t];
+      corner = 3 * t + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
+    }
+  }
+  if (count > 0) {
+    mesh.fail(
+        "not a manifold: the faces around " +
+        (count == 1 ? std::string("1 vertex form") : std::to_string(count) + " vertices form") +
+        " more than one fan, first at " + mesh.place({first}));
+  }
+}
+
+}  // namespace
+
+std::vector<Corners> find_neighbours(const GridMesh& mesh) {
+  std::vector<std::uint32_t> begin;
+  const std::vector<FiledHalfEdge> filed = file_half_edges(mesh, begin);
+  std::vector<Corners> neighbours(mesh.triangles.size());
+  EdgeFault crowded;
+  EdgeFault border;
+  EdgeFault misoriented;
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    for (std::uint32_t i = begin[v]; i < begin[v + 1];) {
+      std::uint32_t end = i + 1;
+      while (end < begin[v + 1] && filed[end].other == filed[i].other) ++end;
+      const std::uint32_t h = filed[i].half_edge;
+      if (end - i > 2) {
+        crowded.add(h);
+      } else if (end - i == 1) {
+        border.add(h);
+      } else {
+        const std::uint32_t g = filed[i + 1].half_edge;
+        if (start_of(mesh, g) == start_of(mesh, h)) misoriented.add(h);
+        neighbours[h / 3][h % 3] = g / 3;
+        neighbours[g / 3][g % 3] = h / 3;
+      }
+      i = end;
+    }
+  }
+  crowded.fail_if_any(mesh, "not a manifold",
+                      counted(crowded.count, "edge") + " with more than two faces");
+  border.fail_if_any(mesh, "not closed", counted(border.count, "border edge"));
+  misoriented.fail_if_any(mesh, "not consistently oriented",
+                          counted(misoriented.count, "edge") + " whose two faces disagree");
+  reject_split_vertices(mesh, neighbours);
+  return neighbours;
+}
+
+}  // namespace spoctree

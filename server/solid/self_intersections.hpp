@@ -1,0 +1,31 @@
+// Triangles that meet elsewhere than in the points and edges that they share.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "server/solid/box_tree.hpp"
+#include "server/solid/grid_mesh.hpp"
+
+namespace spoctree {
+
+/// Pairs are no longer looked for once there are so many.
+inline constexpr std::size_t kMostSelfIntersections = 1'000'000;
+
+struct SelfIntersections {
+  std::size_t count = 0;                 ///< at most kMostSelfIntersections
+  std::array<std::uint32_t, 2> first{};  ///< the first pair of those in lexicographic order
+};
+
+/// Exact for the given points. Near-linear for meshes whose triangles' boxes overlap few others.
+/// REQUIRES: `boxes` holds the triangles' boxes; no triangle is degenerate; triangles that share
+/// two corners share an edge.
+SelfIntersections find_self_intersections(std::span<const Vec3> points,
+                                          std::span<const Corners> triangles, const BoxTree& boxes);
+
+/// The tree of the triangles' boxes.
+BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles);
+
+}  // namespace spoctree

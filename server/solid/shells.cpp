@@ -1,0 +1,104 @@
+#include "server/solid/shells.hpp"
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <limits>
+
+#include "server/solid/grid_integers.hpp"
+#include "server/solid/upward_ray.hpp"
+
+namespace spoctree {
+
+namespace {
+
+using Wide = boost::multiprecision::int256_t;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// Six times the signed volume between a triangle and the origin, in units of 2^-156.
+Wide volume_below(const GridMesh& mesh, const Corners& t) {
+  const GridPoint a = to_grid_integers(mesh.vertices[t[0]]);
+  const AreaVector area =
+      area_vector(a, to_grid_integers(mesh.vertices[t[1]]), to_grid_integers(mesh.vertices[t[2]]));
+  return Wide(area[0]) * a[0] + Wide(area[1]) * a[1] + Wide(area[2]) * a[2];
+}
+
+struct Shell {
+  std::uint32_t first_triangle = 0;
+  Wide volume = 0;
+};
+
+std::vector<Shell> find_shells(const GridMesh& mesh, const std::vector<Corners>& neighbours,
+                               std::vector<std::uint32_t>& shell_of) {
+  std::vector<Shell> shells;
+  shell_of.assign(mesh.triangles.size(), kNone);
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t first = 0; first < mesh.triangles.size(); ++first) {
+    if (shell_of[first] != kNone) continue;
+    const auto number = static_cast<std::uint32_t>(shells.size());
+    Shell shell{first, 0};
+    shell_of[first] = number;
+    reached.assign(1, first);
+    while (!reached.empty()) {
+      const std::uint32_t t = reached.back();
+      reached.pop_back();
+      shell.volume += volume_below(mesh, mesh.triangles[t]);
+      for (const std::uint32_t n : neighbours[t]) {
+        if (shell_of[n] != kNone) continue;
+        shell_of[n] = number;
+        reached.push_back(n);
+      }
+    }
+    shells.push_back(shell);
+  }
+  return shells;
+}
+
+// Whether the shell lies within an odd number of others. Shells do not touch, so any of its points
+// can be asked.
+bool is_cavity(const GridMesh& mesh, const BoxTree& boxes,
+               const std::vector<std::uint32_t>& shell_of, std::uint32_t first_triangle) {
+  const std::uint32_t self = shell_of[first_triangle];
+  const Vec3 start = mesh.vertices[mesh.triangles[first_triangle][0]];
+  const UpwardRay ray(start);
+  bool is_inside = false;
+  boxes.visit_boxes_above(start, [&](std::uint32_t t) {
+    if (shell_of[t] == self) return;
+    const auto& [a, b, c] = mesh.triangles[t];
+    if (ray.meets(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]) ==
+        UpwardRay::Meets::Crosses) {
+      is_inside = !is_inside;
+    }
+  });
+  return is_inside;
+}
+
+}  // namespace
+
+ShellJudgement judge_shells(const GridMesh& mesh, const std::vector<Corners>& neighbours,
+                            const BoxTree& boxes) {
+  std::vector<std::uint32_t> shell_of;
+  const std::vector<Shell> shells = find_shells(mesh, neighbours, shell_of);
+  Wide volume = 0;
+  std::size_t wrong = 0;
+  std::uint32_t first_wrong = 0;
+  for (const Shell& shell : shells) {
+    volume += shell.volume;
+    const bool bounds_cavity =
+        shells.size() > 1 && is_cavity(mesh, boxes, shell_of, shell.first_triangle);
+    if ((shell.volume < 0) == bounds_cavity) continue;
+    if (wrong++ == 0) first_wrong = shell.first_triangle;
+  }
+  if (wrong > 0 && wrong < shells.size()) {
+    mesh.fail("not consistently oriented: " + std::to_string(wrong) + " of " +
+              std::to_string(shells.size()) +
+              " shells face the wrong way for how they nest, the first has a face at " +
+              mesh.place(mesh.triangles[first_wrong]));
+  }
+  ShellJudgement judgement;
+  judgement.is_inside_out = wrong > 0;
+  if (judgement.is_inside_out) volume = -volume;
+  judgement.volume = static_cast<double>(volume.convert_to<long double>() / 6 * 0x1p-156L);
+  return judgement;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,220 @@
+#include "server/solid/triangulate.hpp"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "server/solid/grid_integers.hpp"
+
+namespace spoctree {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point2 = Kernel::Point_2;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
+    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
+
+using Face = std::span<const std::uint32_t>;
+
+bool is_on_one_line(Face face, std::span<const glm::dvec3> points) {
+  const auto point = [&](std::size_t i) {
+    const glm::dvec3 p = points[face[i]];
+    return Kernel::Point_3(p.x, p.y, p.z);
+  };
+  // Any corner that differs from the first spans the line.
+  std::size_t other = 1;
+  while (other < face.size() && points[face[other]] == points[face[0]]) ++other;
+  for (std::size_t i = other + 1; i < face.size(); ++i) {
+    if (!CGAL::collinear(point(0), point(other), point(i))) return false;
+  }
+  return true;
+}
+
+// Newell's normal: twice the area vector, whichever the shape. Summed around the first corner, so
+// that small faces far from the centre keep their digits.
+Vec3 newell_normal(Face face, const std::vector<Vec3>& vertices) {
+  Vec3 sum{0.0};
+  for (std::size_t i = 1; i + 1 < face.size(); ++i) {
+    sum += glm::cross(vertices[face[i]] - vertices[face[0]],
+                      vertices[face[i + 1]] - vertices[face[0]]);
+  }
+  return sum;
+}
+
+double unevenness(Face face, const std::vector<Vec3>& vertices, Vec3 normal) {
+  const double length = glm::length(normal);
+  if (length == 0) return 0;
+  Vec3 middle{0.0};
+  for (const std::uint32_t v : face) middle += vertices[v] / static_cast<double>(face.size());
+  double largest = 0;
+  for (const std::uint32_t v : face) {
+    largest = std::max(largest, std::abs(glm::dot(normal, vertices[v] - middle)) / length);
+  }
+  return largest;
+}
+
+// The faces's corners seen along an axis, so that it runs counter-clockwise: dropping a coordinate
+// rounds nothing.
+std::vector<Point2> view(Face face, const std::vector<Vec3>& vertices, int axis, bool from_below) {
+  const int u = (axis + (from_below ? 2 : 1)) % 3;
+  const int v = (axis + (from_below ? 1 : 2)) % 3;
+  std::vector<Point2> points;
+  points.reserve(face.size());
+  for (const std::uint32_t i : face) points.emplace_back(vertices[i][u], vertices[i][v]);
+  return points;
+}
+
+// Of the diagonals that lie inside, the shorter one. A quadrilateral that splits into two triangles
+// of its own orientation is simple.
+bool split_quadrilateral(const std::vector<Point2>& p, Face face, const GridMesh& mesh,
+                         std::vector<Corners>& triangles) {
+  const auto is_left_turn = [&](int i, int j, int k) {
+    return CGAL::orientation(p[i], p[j], p[k]) == CGAL::LEFT_TURN;
+  };
+  const bool can_02 = is_left_turn(0, 1, 2) && is_left_turn(0, 2, 3);
+  const bool can_13 = is_left_turn(0, 1, 3) && is_left_turn(1, 2, 3);
+  if (!can_02 && !can_13) return false;
+  const auto length = [&](int i, int j) {
+    return glm::distance(mesh.vertices[face[i]], mesh.vertices[face[j]]);
+  };
+  if (can_02 && (!can_13 || length(0, 2) <= length(1, 3))) {
+    triangles.push_back({face[0], face[1], face[2]});
+    triangles.push_back({face[0], face[2], face[3]});
+  } else {
+    triangles.push_back({face[0], face[1], face[3]});
+    triangles.push_back({face[1], face[2], face[3]});
+  }
+  return true;
+}
+
+// False, and no triangles, unless the corners are those of a simple polygon.
+bool split_polygon(const std::vector<Point2>& points, Face face, std::vector<Corners>& triangles) {
+  Delaunay delaunay;
+  std::vector<Delaunay::Vertex_handle> handles;
+  handles.reserve(face.size());
+  Delaunay::Face_handle hint;
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    handles.push_back(delaunay.insert(points[i], hint));
+    handles.back()->info() = static_cast<std::uint32_t>(i);
+    hint = handles.back()->face();
+  }
+  if (delaunay.number_of_vertices() != face.size() || delaunay.dimension() != 2) return false;
+  try {
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      delaunay.insert_constraint(handles[i], handles[(i + 1) % face.size()]);
+    }
+  } catch (const Delaunay::Intersection_of_constraints_exception&) {
+    return false;
+  }
+  if (delaunay.number_of_vertices() != face.size()) return false;
+
+  // Every edge of the polygon must be whole (not split at a corner that touches it); the inside is
+  // what can be reached from the left of them. A simple polygon has n - 2 triangles there.
+  std::vector<Delaunay::Face_handle> reached;
+  for (const Delaunay::Face_handle f : delaunay.all_face_handles()) f->info() = false;
+  const auto reach = [&](Delaunay::Face_handle f) {
+    if (f->info() || delaunay.is_infinite(f)) return;
+    f->info() = true;
+    reached.push_back(f);
+  };
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    Delaunay::Face_handle left;
+    int opposite = 0;
+    if (!delaunay.is_edge(handles[(i + 1) % face.size()], handles[i], left, opposite)) return false;
+    reach(left);
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i) {
+    const Delaunay::Face_handle f = reached[i];
+    for (int edge = 0; edge < 3; ++edge) {
+      if (!f->is_constrained(edge)) reach(f->neighbor(edge));
+    }
+  }
+  if (reached.size() != face.size() - 2) return false;
+  for (const Delaunay::Face_handle f : reached) {
+    triangles.push_back(
+        {face[f->vertex(0)->info()], face[f->vertex(1)->info()], face[f->vertex(2)->info()]});
+  }
+  return true;
+}
+
+bool split_face(Face face, const GridMesh& mesh, Vec3 normal, std::vector<Corners>& triangles) {
+  int axes[3] = {0, 1, 2};
+  std::stable_sort(axes, axes + 3,
+                   [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
+  for (const int axis : axes) {
+    if (normal[axis] == 0) continue;
+    const std::vector<Point2> points = view(face, mesh.vertices, axis, normal[axis] < 0);
+    if (face.size() == 4 ? split_quadrilateral(points, face, mesh, triangles)
+                         : split_polygon(points, face, triangles)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// Counts faces with one fault and remembers where the first is.
+struct Fault {
+  std::size_t count = 0;
+  std::string first_place;
+  void add(const GridMesh& mesh, std::span<const std::uint32_t> corners) {
+    if (count++ == 0) first_place = mesh.place(corners);
+  }
+};
+
+}  // namespace
+
+void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
+  if (soup.face_count() == 0) mesh.fail("empty: no faces");
+  Fault degenerate;
+  Fault crossing;
+  mesh.triangles.reserve(soup.face_count());
+  for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    const Face face = soup.face(i);
+    if (is_on_one_line(face, mesh.points)) {
+      degenerate.add(mesh, face);
+    } else if (face.size() == 3) {
+      mesh.triangles.push_back({face[0], face[1], face[2]});
+    } else {
+      const Vec3 normal = newell_normal(face, mesh.vertices);
+      ++report.triangulated_faces;
+      report.largest_unevenness = std::max(
+          report.largest_unevenness, unevenness(face, mesh.vertices, normal) / mesh.box_diagonal);
+      if (!split_face(face, mesh, normal, mesh.triangles)) crossing.add(mesh, face);
+    }
+    if (mesh.triangles.size() > kMaxTriangles) {
+      mesh.fail("more than " + std::to_string(kMaxTriangles) + " triangles");
+    }
+  }
+  report.input_faces = soup.face_count();
+  if (degenerate.count > 0) {
+    mesh.fail("degenerate: " + counted(degenerate.count, "face") + " without area, first at " +
+              degenerate.first_place);
+  }
+  if (crossing.count > 0) {
+    mesh.fail(counted(crossing.count, "polygon") + " with edges that cross or touch, first at " +
+              crossing.first_place);
+  }
+  Fault vanishing;
+  for (const Corners& t : mesh.triangles) {
+    const AreaVector area =
+        area_vector(to_grid_integers(mesh.vertices[t[0]]), to_grid_integers(mesh.vertices[t[1]]),
+                    to_grid_integers(mesh.vertices[t[2]]));
+    if (area == AreaVector{0, 0, 0}) vanishing.add(mesh, t);
+  }
+  if (vanishing.count > 0) {
+    mesh.fail("degenerate: " + counted(vanishing.count, "triangle") +
+              " thinner than 2^-53 of the extent, first at " + vanishing.first_place);
+  }
+}
+
+}  // namespace spoctree
