@@ -1,4 +1,4 @@
-// Exact inside tests and distances against a whole solid (CGAL behind the curtain).
+// Questions about points and a solid: inside or outside, and how far from the boundary.
 #pragma once
 
 #include <memory>
@@ -7,25 +7,30 @@
 
 namespace spoctree {
 
-/// Queries against the boundary of a solid, in universe coordinates. Not thread-safe while its
-/// search trees are being built by the first query of a kind.
+/// Answers from a tree over the triangles' boxes, built at construction in O(n log n). The answers
+/// are about the triangles as they are on the grid, not about planes that were merged or moved
+/// outwards. Queries may run at the same time.
 class SolidQueries {
  public:
   enum class Side { Out, In, On };
 
+  /// Keeps a reference: `solid` must outlive this, and its vertices and triangles must not change.
   explicit SolidQueries(const Solid& solid);
   ~SolidQueries();
   SolidQueries(const SolidQueries&) = delete;
   SolidQueries& operator=(const SolidQueries&) = delete;
 
-  /// Which side of the boundary a point lies on: exact.
+  /// Exact for any finite universe coordinates, on the grid or not. The time is that of finding the
+  /// triangles above the point.
   Side side_of(Vec3 point) const;
-  /// Distance to the nearest point of the boundary, error below 1e-12.
+
+  /// The distance to the nearest triangle, in universe units, off by less than 1e-14 for points in
+  /// the universe cube (relatively, for points far outside). About O(log n) near the surface.
   double distance(Vec3 point) const;
 
  private:
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
+  struct Data;
+  std::unique_ptr<const Data> data_;
 };
 
 }  // namespace spoctree

@@ -1,0 +1,70 @@
+#include "server/solid/solid_queries.hpp"
+
+#include <cmath>
+#include <vector>
+
+#include "server/solid/box_tree.hpp"
+#include "server/solid/triangle_distance.hpp"
+#include "server/solid/upward_ray.hpp"
+
+namespace spoctree {
+
+namespace {
+
+BoxTree box_tree_of(const Solid& solid) {
+  std::vector<Box> boxes;
+  boxes.reserve(solid.triangles.size());
+  for (const SolidTriangle& t : solid.triangles) {
+    boxes.push_back(box_around(solid.vertices[t.vertex[0]], solid.vertices[t.vertex[1]],
+                               solid.vertices[t.vertex[2]]));
+  }
+  return BoxTree(boxes);
+}
+
+}  // namespace
+
+struct SolidQueries::Data {
+  explicit Data(const Solid& s) : solid(s), boxes(box_tree_of(s)) {
+    measured.reserve(solid.triangles.size());
+    for (const SolidTriangle& t : solid.triangles) {
+      measured.emplace_back(solid.vertices[t.vertex[0]], solid.vertices[t.vertex[1]],
+                            solid.vertices[t.vertex[2]]);
+    }
+  }
+
+  const Solid& solid;
+  BoxTree boxes;
+  std::vector<MeasuredTriangle> measured;
+};
+
+SolidQueries::SolidQueries(const Solid& solid) : data_(std::make_unique<const Data>(solid)) {}
+SolidQueries::~SolidQueries() = default;
+
+SolidQueries::Side SolidQueries::side_of(Vec3 point) const {
+  const UpwardRay ray(point);
+  const Solid& solid = data_->solid;
+  bool is_on = false;
+  bool is_inside = false;
+  data_->boxes.visit_boxes_above(point, [&](std::uint32_t i) {
+    const SolidTriangle& t = solid.triangles[i];
+    switch (ray.meets(solid.vertices[t.vertex[0]], solid.vertices[t.vertex[1]],
+                      solid.vertices[t.vertex[2]])) {
+      case UpwardRay::Meets::StartsOn:
+        is_on = true;
+        break;
+      case UpwardRay::Meets::Crosses:
+        is_inside = !is_inside;
+        break;
+      case UpwardRay::Meets::Not:
+        break;
+    }
+  });
+  return is_on ? Side::On : (is_inside ? Side::In : Side::Out);
+}
+
+double SolidQueries::distance(Vec3 point) const {
+  return std::sqrt(data_->boxes.smallest_squared_distance(
+      point, [&](std::uint32_t i) { return data_->measured[i].squared_distance(point); }));
+}
+
+}  // namespace spoctree

@@ -1,0 +1,45 @@
+#include "server/solid/triangle_distance.hpp"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "server/solid/grid_integers.hpp"
+
+namespace spoctree {
+
+namespace {
+
+double squared_distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 edge = b - a;
+  const double t = std::clamp(glm::dot(p - a, edge) / glm::dot(edge, edge), 0.0, 1.0);
+  const Vec3 way = p - (a + t * edge);
+  return glm::dot(way, way);
+}
+
+}  // namespace
+
+MeasuredTriangle::MeasuredTriangle(Vec3 a, Vec3 b, Vec3 c) : corners_{a, b, c} {
+  const AreaVector area =
+      area_vector(to_grid_integers(a), to_grid_integers(b), to_grid_integers(c));
+  normal_ = glm::normalize(Vec3{static_cast<double>(area[0]), static_cast<double>(area[1]),
+                                static_cast<double>(area[2])});
+}
+
+double MeasuredTriangle::squared_distance(Vec3 p) const {
+  bool is_over = true;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 a = corners_[i];
+    const Vec3 b = corners_[i == 2 ? 0 : i + 1];
+    if (glm::dot(glm::cross(normal_, b - a), p - a) >= 0) continue;
+    // The nearest edge is one of those that the point lies beyond.
+    is_over = false;
+    nearest = std::min(nearest, squared_distance_to_segment(p, a, b));
+  }
+  if (!is_over) return nearest;
+  const double height = glm::dot(normal_, p - corners_[0]);
+  return height * height;
+}
+
+}  // namespace spoctree
