@@ -17,6 +17,16 @@ inline constexpr double kWeldTolerance = 1e-10;
 /// universe cube's diagonal): outlines of neighbouring pieces share edges up to rounding only.
 inline constexpr double kPictureTolerance = 1e-10;
 
+/// A crease belongs to a piece of material where it is nearer to it than this: rebuilt vertices
+/// stand off the exact ones by up to kWeldTolerance.
+inline constexpr double kCreaseTolerance = 3e-10;
+
+/// Consecutive lines become one line if their joints stand off it by less than this.
+inline constexpr double kJoinTolerance = 1e-9;
+
+/// A face is seen edge-on if its direction and that to the viewer differ by less than this (sine).
+inline constexpr double kEdgeOnTolerance = 1e-12;
+
 /// Visible line parts shorter than this are not drawn (fraction of the universe cube's diagonal).
 inline constexpr double kShortestLine = 1e-8;
 

@@ -1,0 +1,22 @@
+// Lines as they were found -> as they should be drawn.
+#pragma once
+
+#include "client/lines/camera.hpp"
+#include "client/lines/visible_line.hpp"
+
+namespace spoctree {
+
+/// Joins lines of one kind that continue each other straight on into one line. Joints stand off the
+/// result by less than `tolerance` (universe units). O(n log n).
+VisibleLines join_lines(const VisibleLines& lines, double tolerance);
+
+/// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only the
+/// nearest; a visible line goes before a hidden one. O(n) if lines are spread over the picture.
+VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance);
+
+/// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between
+/// them: hidden lines first, then creases, then silhouettes; within these always on to the nearest
+/// end of a line not drawn yet. Deterministic. About O(n log n).
+VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera);
+
+}  // namespace spoctree

@@ -1,0 +1,358 @@
+#include "client/lines/covered_region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace spoctree {
+
+namespace {
+
+/// Partitions are not made deeper than this: what would need more stays uncovered, so the worst a
+/// hostile tree can get is a line too many. Pictures of solids stay below 100.
+constexpr int kDeepestPartition = 800;
+
+/// Where an outline is smaller than this fraction of the uncovered space around it, or has more
+/// edges than this there, the space is halved first: that keeps partitions balanced.
+constexpr double kSmallOutline = 0.25;
+constexpr std::size_t kManyEdges = 8;
+
+Rectangle cut(Rectangle rectangle, Vec2 normal, double offset, bool positive) {
+  // Only the lines that halve tiles (and outline edges that happen to be like them) are used.
+  for (int axis = 0; axis < 2; ++axis) {
+    if (normal[axis] != 1) continue;
+    double& limit = positive ? rectangle.lower[axis] : rectangle.upper[axis];
+    limit = positive ? std::max(limit, offset) : std::min(limit, offset);
+  }
+  return rectangle;
+}
+
+}  // namespace
+
+CoveredRegion::CoveredRegion(const Rectangle& bounds, std::uint32_t tiles_per_side,
+                             double tolerance)
+    : tiles_per_side_(tiles_per_side), tolerance_(tolerance) {
+  // A little larger and off the bounds, by fractions that keep the borders of tiles away from the
+  // walls of cells in views along the axes.
+  const Vec2 size = bounds.upper - bounds.lower;
+  const double side = std::max(size.x, size.y);
+  lower_ = bounds.lower - Vec2{0.01237, 0.01193} * side;
+  tile_size_ = side * 1.03141 / tiles_per_side_;
+  words_per_row_ = (tiles_per_side_ + 63) / 64;
+  roots_.assign(std::size_t{tiles_per_side_} * tiles_per_side_, kUncovered);
+  full_.assign(std::size_t{words_per_row_} * tiles_per_side_, 0);
+}
+
+std::uint32_t CoveredRegion::column_of(double coordinate, int axis) const {
+  const double column = std::floor((coordinate - lower_[axis]) / tile_size_);
+  return static_cast<std::uint32_t>(std::clamp(column, 0.0, tiles_per_side_ - 1.0));
+}
+
+CoveredRegion::Line CoveredRegion::boundary(int axis, std::uint32_t column) const {
+  Line line;
+  line.normal[axis] = 1;
+  line.offset = lower_[axis] + column * tile_size_;
+  return line;
+}
+
+Rectangle CoveredRegion::rectangle_of(const Tiles& tiles) const {
+  Rectangle rectangle;
+  for (int axis = 0; axis < 2; ++axis) {
+    rectangle.lower[axis] = boundary(axis, tiles.lower[axis]).offset;
+    rectangle.upper[axis] = boundary(axis, tiles.upper[axis]).offset;
+  }
+  return rectangle;
+}
+
+CoveredRegion::Tiles CoveredRegion::tiles_touched(const Rectangle& rectangle) const {
+  Tiles tiles;
+  for (int axis = 0; axis < 2; ++axis) {
+    tiles.lower[axis] = column_of(rectangle.lower[axis], axis);
+    tiles.upper[axis] = column_of(rectangle.upper[axis], axis) + 1;
+  }
+  return tiles;
+}
+
+bool CoveredRegion::is_full(const Rectangle& rectangle) const {
+  const Tiles tiles = tiles_touched(rectangle);
+  const std::uint32_t first_word = tiles.lower[0] / 64;
+  const std::uint32_t last_word = (tiles.upper[0] - 1) / 64;
+  for (std::uint32_t row = tiles.lower[1]; row < tiles.upper[1]; ++row) {
+    const std::uint64_t* words = full_.data() + std::size_t{row} * words_per_row_;
+    for (std::uint32_t word = first_word; word <= last_word; ++word) {
+      std::uint64_t wanted = ~std::uint64_t{0};
+      if (word == first_word) wanted &= ~std::uint64_t{0} << (tiles.lower[0] % 64);
+      if (word == last_word) wanted &= ~std::uint64_t{0} >> (63 - (tiles.upper[0] - 1) % 64);
+      if ((words[word] & wanted) != wanted) return false;
+    }
+  }
+  return true;
+}
+
+void CoveredRegion::mark_full(const Tiles& tiles) {
+  for (std::uint32_t row = tiles.lower[1]; row < tiles.upper[1]; ++row) {
+    for (std::uint32_t column = tiles.lower[0]; column < tiles.upper[0]; ++column) {
+      roots_[std::size_t{row} * tiles_per_side_ + column] = kCovered;
+      full_[std::size_t{row} * words_per_row_ + column / 64] |= std::uint64_t{1} << (column % 64);
+    }
+  }
+}
+
+// --- Covering ------------------------------------------------------------------------------------
+
+void CoveredRegion::cover(std::span<const Vec2> polygon) {
+  corners_.clear();
+  edges_.clear();
+  for (const Vec2 at : polygon) {
+    if (corners_.empty() || glm::distance(corners_.back().at, at) > tolerance_) {
+      corners_.push_back({at, static_cast<std::int32_t>(corners_.size())});
+    }
+  }
+  while (corners_.size() > 1 &&
+         glm::distance(corners_.back().at, corners_.front().at) <= tolerance_) {
+    corners_.pop_back();
+  }
+  if (corners_.size() < 3) return;
+  Rectangle box{corners_[0].at, corners_[0].at};
+  for (std::size_t k = 0; k < corners_.size(); ++k) {
+    const Vec2 from = corners_[k].at;
+    const Vec2 along = corners_[k + 1 == corners_.size() ? 0 : k + 1].at - from;
+    const Vec2 normal = Vec2{-along.y, along.x} / glm::length(along);
+    edges_.push_back({normal, glm::dot(normal, from)});
+    box.lower = glm::min(box.lower, from);
+    box.upper = glm::max(box.upper, from);
+  }
+  cover_tiles(tiles_touched(box), {0, corners_.size()});
+}
+
+void CoveredRegion::split(Polygon polygon, const Line& line, Polygon& negative, Polygon& positive) {
+  negative = positive = {};
+  bool any_negative = false;
+  bool any_positive = false;
+  for (std::size_t k = 0; k < polygon.count; ++k) {
+    const double distance = line(corners_[polygon.first + k].at);
+    any_negative |= distance < -tolerance_;
+    any_positive |= distance > tolerance_;
+  }
+  const auto corner_after = [&](std::size_t k) {
+    return corners_[polygon.first + (k + 1 == polygon.count ? 0 : k + 1)];
+  };
+  if (any_negative != any_positive) {
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      Corner& corner = corners_[polygon.first + k];
+      if (std::abs(line(corner.at)) <= tolerance_ &&
+          std::abs(line(corner_after(k).at)) <= tolerance_) {
+        corner.edge = kNoEdge;
+      }
+    }
+    (any_negative ? negative : positive) = polygon;
+    return;
+  }
+  if (!any_negative) return;  // all on the line: nothing that could cover
+  for (const double sign : {-1.0, 1.0}) {
+    Polygon& part = sign < 0 ? negative : positive;
+    part.first = corners_.size();
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      const Corner corner = corners_[polygon.first + k];
+      const Corner next = corner_after(k);
+      const double here = sign * line(corner.at);
+      const double there = sign * line(next.at);
+      if (here > tolerance_ || (here >= -tolerance_ && there > tolerance_)) {
+        corners_.push_back(corner);
+      } else if (here >= -tolerance_) {
+        corners_.push_back({corner.at, kNoEdge});
+      }
+      if ((here > tolerance_ && there < -tolerance_) ||
+          (here < -tolerance_ && there > tolerance_)) {
+        // Computed from the same end for both parts and both ways round.
+        const Vec2 a = (here > 0) == (sign > 0) ? corner.at : next.at;
+        const Vec2 b = (here > 0) == (sign > 0) ? next.at : corner.at;
+        const Vec2 at = a + (b - a) * (line(a) / (line(a) - line(b)));
+        corners_.push_back({at, here > 0 ? kNoEdge : corner.edge});
+      }
+    }
+    part.count = corners_.size() - part.first;
+  }
+}
+
+void CoveredRegion::cover_tiles(const Tiles& tiles, Polygon polygon) {
+  if (polygon.count < 3) return;
+  const std::uint32_t width = tiles.upper[0] - tiles.lower[0];
+  const std::uint32_t height = tiles.upper[1] - tiles.lower[1];
+  if (width == 1 && height == 1) {
+    cover_tile(tiles.lower[0], tiles.lower[1], polygon);
+    return;
+  }
+  const auto first = corners_.begin() + static_cast<std::ptrdiff_t>(polygon.first);
+  if (std::all_of(first, first + static_cast<std::ptrdiff_t>(polygon.count),
+                  [](const Corner& corner) { return corner.edge == kNoEdge; })) {
+    mark_full(tiles);
+    return;
+  }
+  const int axis = width >= height ? 0 : 1;
+  const std::uint32_t middle = (tiles.lower[axis] + tiles.upper[axis]) / 2;
+  const std::size_t mark = corners_.size();
+  Polygon negative;
+  Polygon positive;
+  split(polygon, boundary(axis, middle), negative, positive);
+  Tiles half = tiles;
+  half.upper[axis] = middle;
+  cover_tiles(half, negative);
+  half = tiles;
+  half.lower[axis] = middle;
+  cover_tiles(half, positive);
+  corners_.resize(mark);
+}
+
+void CoveredRegion::cover_tile(std::uint32_t column, std::uint32_t row, Polygon polygon) {
+  Child& root = roots_[std::size_t{row} * tiles_per_side_ + column];
+  if (root == kCovered) return;
+  // Edges along the tile's own sides must not split it.
+  for (const Line& side :
+       {boundary(0, column), boundary(0, column + 1), boundary(1, row), boundary(1, row + 1)}) {
+    for (std::size_t k = 0; k < polygon.count; ++k) {
+      Corner& corner = corners_[polygon.first + k];
+      const Corner& next = corners_[polygon.first + (k + 1 == polygon.count ? 0 : k + 1)];
+      if (std::abs(side(corner.at)) <= tolerance_ && std::abs(side(next.at)) <= tolerance_) {
+        corner.edge = kNoEdge;
+      }
+    }
+  }
+  const Tiles tile{{column, row}, {column + 1, row + 1}};
+  root = cover_node(root, polygon, rectangle_of(tile), 0);
+  if (root == kCovered) mark_full(tile);
+}
+
+CoveredRegion::Child CoveredRegion::cover_node(Child child, Polygon polygon, Rectangle around,
+                                               int depth) {
+  if (child == kCovered || polygon.count < 3) return child;
+  if (child == kUncovered) return cover_leaf(polygon, around, depth);
+  const auto index = static_cast<std::size_t>(child);
+  const Line line = nodes_[index].line;
+  const std::size_t mark = corners_.size();
+  Polygon negative;
+  Polygon positive;
+  split(polygon, line, negative, positive);
+  const Child below = cover_node(nodes_[index].negative, negative,
+                                 cut(around, line.normal, line.offset, false), depth + 1);
+  const Child above = cover_node(nodes_[index].positive, positive,
+                                 cut(around, line.normal, line.offset, true), depth + 1);
+  corners_.resize(mark);
+  if (below == kCovered && above == kCovered) {
+    free_nodes_.push_back(child);
+    return kCovered;
+  }
+  nodes_[index].negative = below;
+  nodes_[index].positive = above;
+  return child;
+}
+
+CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon, Rectangle around, int depth) {
+  if (depth > kDeepestPartition) return kUncovered;
+  Rectangle box{corners_[polygon.first].at, corners_[polygon.first].at};
+  std::size_t edge_count = 0;
+  for (std::size_t k = 0; k < polygon.count; ++k) {
+    const Corner& corner = corners_[polygon.first + k];
+    box.lower = glm::min(box.lower, corner.at);
+    box.upper = glm::max(box.upper, corner.at);
+    if (corner.edge != kNoEdge) ++edge_count;
+  }
+  const Vec2 space = around.upper - around.lower;
+  const Vec2 size = box.upper - box.lower;
+  const int axis = space.x >= space.y ? 0 : 1;
+  const bool is_small = std::max(size.x, size.y) < kSmallOutline * space[axis];
+  if ((is_small || edge_count > kManyEdges) && space[axis] > 64 * tolerance_) {
+    Line middle;
+    middle.normal[axis] = 1;
+    middle.offset = 0.5 * (around.lower[axis] + around.upper[axis]);
+    return cover_node(new_node(middle), polygon, around, depth);
+  }
+  Child inside = kCovered;
+  for (std::size_t k = 0; k < polygon.count; ++k) {
+    const std::int32_t edge = corners_[polygon.first + k].edge;
+    if (edge == kNoEdge) continue;
+    const Child node = new_node(edges_[static_cast<std::size_t>(edge)]);
+    nodes_[static_cast<std::size_t>(node)].positive = inside;
+    inside = node;
+  }
+  return inside;
+}
+
+CoveredRegion::Child CoveredRegion::new_node(const Line& line) {
+  Child child;
+  if (free_nodes_.empty()) {
+    child = static_cast<Child>(nodes_.size());
+    nodes_.emplace_back();
+  } else {
+    child = free_nodes_.back();
+    free_nodes_.pop_back();
+  }
+  nodes_[static_cast<std::size_t>(child)] = {line, kUncovered, kUncovered};
+  return child;
+}
+
+// --- Looking -------------------------------------------------------------------------------------
+
+template <class Visit>
+void CoveredRegion::split_sight(const Sight& sight, const Line& line, Interval part,
+                                LineSides sides, Visit&& visit) const {
+  const double from = line(sight.origin + sight.step * part.begin);
+  const double to = line(sight.origin + sight.step * part.end);
+  if (std::abs(from) <= tolerance_ && std::abs(to) <= tolerance_) {
+    const Vec2 left{-sight.step.y, sight.step.x};
+    const bool left_is_positive = glm::dot(line.normal, left) > 0;
+    const LineSides positive = left_is_positive ? kLeftSide : kRightSide;
+    if ((sides & positive) != 0) visit(true, part, static_cast<LineSides>(sides & positive));
+    if ((sides & ~positive) != 0) visit(false, part, static_cast<LineSides>(sides & ~positive));
+  } else if (from >= -tolerance_ && to >= -tolerance_) {
+    visit(true, part, sides);
+  } else if (from <= tolerance_ && to <= tolerance_) {
+    visit(false, part, sides);
+  } else {
+    const double crossing = part.begin + (part.end - part.begin) * (from / (from - to));
+    visit(from > 0, Interval{part.begin, crossing}, sides);
+    visit(to > 0, Interval{crossing, part.end}, sides);
+  }
+}
+
+void CoveredRegion::uncovered_parts(Vec2 origin, Vec2 step, Interval part, LineSides sides,
+                                    std::vector<Interval>& parts) {
+  const Vec2 a = origin + step * part.begin;
+  const Vec2 b = origin + step * part.end;
+  const Vec2 margin{tolerance_, tolerance_};
+  const Tiles tiles = tiles_touched({glm::min(a, b) - margin, glm::max(a, b) + margin});
+  look_at_tiles({origin, step, &parts}, tiles, part, sides);
+}
+
+void CoveredRegion::look_at_tiles(const Sight& sight, const Tiles& tiles, Interval part,
+                                  LineSides sides) {
+  const std::uint32_t width = tiles.upper[0] - tiles.lower[0];
+  const std::uint32_t height = tiles.upper[1] - tiles.lower[1];
+  if (width == 1 && height == 1) {
+    look_at_node(sight, roots_[std::size_t{tiles.lower[1]} * tiles_per_side_ + tiles.lower[0]],
+                 part, sides);
+    return;
+  }
+  const int axis = width >= height ? 0 : 1;
+  const std::uint32_t middle = (tiles.lower[axis] + tiles.upper[axis]) / 2;
+  split_sight(sight, boundary(axis, middle), part, sides,
+              [&](bool is_positive, Interval piece, LineSides piece_sides) {
+                Tiles half = tiles;
+                (is_positive ? half.lower : half.upper)[axis] = middle;
+                look_at_tiles(sight, half, piece, piece_sides);
+              });
+}
+
+void CoveredRegion::look_at_node(const Sight& sight, Child child, Interval part, LineSides sides) {
+  if (child == kCovered) return;
+  if (child == kUncovered) {
+    sight.parts->push_back(part);
+    return;
+  }
+  const Node node = nodes_[static_cast<std::size_t>(child)];
+  split_sight(
+      sight, node.line, part, sides, [&](bool is_positive, Interval piece, LineSides piece_sides) {
+        look_at_node(sight, is_positive ? node.positive : node.negative, piece, piece_sides);
+      });
+}
+
+}  // namespace spoctree

@@ -1,0 +1,56 @@
+// Creases of a boundary, and how much of the space around each the viewer can look into.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "client/lines/camera.hpp"
+
+namespace spoctree {
+
+/// A face beside a crease.
+struct CreaseSide {
+  PlaneRef plane;             ///< its half-space is the side of the material
+  bool runs_forward = false;  ///< the face, counter-clockwise seen from outside, runs from a to b
+};
+
+/// A straight edge of the boundary.
+struct Crease {
+  Vec3 a{0.0};
+  Vec3 b{0.0};
+  std::uint32_t first_side = 0;
+  std::uint32_t side_count = 0;
+};
+
+struct Creases {
+  std::vector<Crease> creases;
+  std::vector<CreaseSide> sides;
+
+  std::span<const CreaseSide> sides_of(const Crease& crease) const {
+    return {sides.data() + crease.first_side, crease.side_count};
+  }
+};
+
+/// The two sides of a line in the picture, looking along it; a set of them.
+using LineSides = std::uint8_t;
+inline constexpr LineSides kNeitherSide = 0;
+inline constexpr LineSides kLeftSide = 1;
+inline constexpr LineSides kRightSide = 2;
+inline constexpr LineSides kBothSides = kLeftSide | kRightSide;
+
+/// On which sides of the crease (in the picture, from a to b) the line of sight that passes beside
+/// it, infinitely near, does not enter the crease's own material in front of it. Both or neither,
+/// unless a face is seen edge-on. If neither, the crease is hidden by its own material.
+LineSides open_sides(const Crease& crease, const Creases& creases, const PlaneSet& planes,
+                     const Camera& camera);
+
+/// True if some of the crease's faces face the viewer and others do not: an outline, at least of
+/// what lies nearby. A face seen edge-on does not face the viewer.
+bool is_silhouette(const Crease& crease, const Creases& creases, const PlaneSet& planes,
+                   const Camera& camera);
+
+/// The largest angle between the normals of two faces of the crease, in degrees.
+double crease_angle_deg(const Crease& crease, const Creases& creases, const PlaneSet& planes);
+
+}  // namespace spoctree

@@ -1,0 +1,250 @@
+#include "client/lines/visible_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "client/lines/arrange_lines.hpp"
+#include "client/lines/covered_region.hpp"
+#include "client/lines/crease_pool.hpp"
+#include "client/lines/outline.hpp"
+#include "common/base/errors.hpp"
+#include "common/geometry/tolerances.hpp"
+#include "common/tree/pieces.hpp"
+
+namespace spoctree {
+
+namespace {
+
+/// A crease worth looking at.
+struct Candidate {
+  LineKind kind = LineKind::Crease;
+  LineSides open = kNeitherSide;
+};
+
+/// Walks the tree from front to back and collects the parts of creases that can be seen.
+class Looker : public PieceVisitor {
+ public:
+  Looker(const Octree& tree, const Creases& creases, const std::vector<Candidate>& candidates,
+         std::span<const std::uint32_t> wanted, const Camera& camera, double unit,
+         CoveredRegion& covered)
+      : creases_(creases),
+        candidates_(candidates),
+        camera_(camera),
+        planes_(tree.plane_set()),
+        outlines_(planes_, tree.planes.size(), camera),
+        pool_(creases.creases, wanted, kCreaseTolerance * unit),
+        covered_(covered) {}
+
+  bool enter(const NodeAddress& address, NodeKind, const Polyhedron& region) override {
+    if (pool_.is_empty()) return false;
+    if (covered_.is_full(extent_of(region))) {
+      // What can be seen of it lies behind full tiles; so do the creases on it.
+      if (!pool_.frame_is_empty()) {
+        taken_.clear();
+        pool_.take(half_spaces_of(region), taken_);
+      }
+      return false;
+    }
+    half_spaces_.clear();
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::uint32_t lower = address.lower[axis];
+      half_spaces_.push_back(planes_[PlaneRef::of_wall(axis, lower).flipped()]);
+      half_spaces_.push_back(planes_[PlaneRef::of_wall(axis, lower + address.size())]);
+    }
+    pool_.open_frame(half_spaces_);
+    return true;
+  }
+
+  void piece(const NodeAddress&, NodeKind, std::uint32_t, const Polyhedron& piece) override {
+    if (!pool_.frame_is_empty()) {
+      taken_.clear();
+      pool_.take(half_spaces_of(piece), taken_);
+      for (const CreasePart& part : taken_) look_at(part);
+    }
+    outlines_.find(piece, outline_);
+    covered_.cover(outline_);
+  }
+
+  void leave(const NodeAddress&) override { pool_.close_frame(); }
+
+  /// In the order found; parts of one crease may touch and overlap.
+  std::vector<CreasePart>& seen() { return seen_; }
+
+ private:
+  Rectangle extent_of(const Polyhedron& region) const {
+    const Vec2 first = camera_.project(region.vertices.front().position);
+    Rectangle extent{first, first};
+    for (const PolyhedronVertex& vertex : region.vertices) {
+      const Vec2 at = camera_.project(vertex.position);
+      extent.lower = glm::min(extent.lower, at);
+      extent.upper = glm::max(extent.upper, at);
+    }
+    return extent;
+  }
+
+  std::span<const Plane> half_spaces_of(const Polyhedron& polyhedron) {
+    half_spaces_.clear();
+    for (const Polyhedron::Face& face : polyhedron.faces) {
+      half_spaces_.push_back(planes_[face.plane]);
+    }
+    return half_spaces_;
+  }
+
+  void look_at(const CreasePart& part) {
+    const Crease& crease = creases_.creases[part.crease];
+    const Vec2 origin = camera_.project(crease.a);
+    const Vec2 step = camera_.project(crease.b) - origin;
+    parts_.clear();
+    covered_.uncovered_parts(origin, step, part.interval, candidates_[part.crease].open, parts_);
+    for (const Interval& interval : parts_) seen_.push_back({part.crease, interval});
+  }
+
+  const Creases& creases_;
+  const std::vector<Candidate>& candidates_;
+  const Camera& camera_;
+  const PlaneSet planes_;
+  OutlineFinder outlines_;
+  CreasePool pool_;
+  CoveredRegion& covered_;
+  std::vector<CreasePart> seen_;
+  // Working memory.
+  std::vector<Plane> half_spaces_;
+  std::vector<CreasePart> taken_;
+  std::vector<Interval> parts_;
+  std::vector<Vec2> outline_;
+};
+
+Creases creases_of(const Surface& surface) {
+  Creases creases;
+  creases.creases.reserve(surface.edges.size());
+  creases.sides.reserve(surface.sides.size());
+  for (const Surface::Edge& edge : surface.edges) {
+    creases.creases.push_back(
+        {surface.vertices[edge.a], surface.vertices[edge.b], edge.first_side, edge.side_count});
+  }
+  for (const Surface::Side& side : surface.sides) {
+    creases.sides.push_back({surface.faces[side.face].plane, side.forward});
+  }
+  return creases;
+}
+
+/// About so many tiles that a few pieces are seen in each.
+std::uint32_t tiles_per_side(const Octree& tree, std::uint32_t level, std::size_t crease_count) {
+  std::size_t nodes = crease_count;
+  for (std::uint32_t k = 0; k < tree.levels.size() && k <= level; ++k) {
+    const auto counts = tree.levels[k].count_kinds();
+    nodes += tree.levels[k].size() - counts[static_cast<int>(NodeKind::White)];
+  }
+  const double wanted = 0.5 * std::sqrt(static_cast<double>(nodes));
+  return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1024.0));
+}
+
+/// Parts of creases, each merged to as few as there are.
+void merge_parts(std::vector<CreasePart>& parts, const Creases& creases, double tolerance) {
+  std::sort(parts.begin(), parts.end(), [](const CreasePart& p, const CreasePart& q) {
+    return p.crease != q.crease ? p.crease < q.crease : p.interval.begin < q.interval.begin;
+  });
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    CreasePart& last = parts[kept == 0 ? 0 : kept - 1];
+    const CreasePart part = parts[k];
+    if (kept > 0 && last.crease == part.crease) {
+      const Crease& crease = creases.creases[part.crease];
+      const double gap =
+          (part.interval.begin - last.interval.end) * glm::distance(crease.a, crease.b);
+      if (gap <= tolerance) {
+        last.interval.end = std::max(last.interval.end, part.interval.end);
+        continue;
+      }
+    }
+    parts[kept++] = part;
+  }
+  parts.resize(kept);
+}
+
+/// The parts of the creases in `wanted` that are not in `parts`; both by ascending crease.
+std::vector<CreasePart> rest_of(std::span<const std::uint32_t> wanted,
+                                const std::vector<CreasePart>& parts) {
+  std::vector<CreasePart> rest;
+  auto part = parts.begin();
+  for (const std::uint32_t crease : wanted) {
+    double from = 0;
+    for (; part != parts.end() && part->crease == crease; ++part) {
+      if (part->interval.begin > from) rest.push_back({crease, {from, part->interval.begin}});
+      from = part->interval.end;
+    }
+    if (from < 1) rest.push_back({crease, {from, 1}});
+  }
+  return rest;
+}
+
+VisibleLine line_of(const CreasePart& part, const Creases& creases, LineKind kind, bool hidden) {
+  const Crease& crease = creases.creases[part.crease];
+  const auto at = [&](double t) {
+    return t <= 0 ? crease.a : (t >= 1 ? crease.b : crease.a + t * (crease.b - crease.a));
+  };
+  VisibleLine line{at(part.interval.begin), at(part.interval.end), kind, hidden, {}};
+  const auto sides = creases.sides_of(crease);
+  for (std::size_t k = 0; k < 2 && k < sides.size(); ++k) line.planes[k] = sides[k].plane;
+  return line;
+}
+
+}  // namespace
+
+VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Camera& camera,
+                           const LineOptions& options) {
+  if (!(options.crease_angle_deg >= 0 && options.crease_angle_deg <= 180)) {
+    throw UsageError("the crease angle must be between 0 and 180 degrees");
+  }
+  const double unit = std::sqrt(3.0) * 2 * tree.universe.half_side;
+  const double shortest = kShortestLine * unit;
+  const PlaneSet planes = tree.plane_set();
+  const Creases creases = creases_of(surface);
+
+  std::vector<Candidate> candidates(creases.creases.size());
+  std::vector<std::uint32_t> wanted;  // all that should be drawn, if they can be seen
+  std::vector<std::uint32_t> open;    // those not hidden by their own material
+  for (std::uint32_t k = 0; k < candidates.size(); ++k) {
+    const Crease& crease = creases.creases[k];
+    Candidate& candidate = candidates[k];
+    // A line in the line of sight is a point, and one behind its own material takes no part.
+    if (glm::distance(camera.project(crease.a), camera.project(crease.b)) < 1e-3 * shortest) {
+      continue;
+    }
+    candidate.open = open_sides(crease, creases, planes, camera);
+    if (candidate.open == kNeitherSide && !options.with_hidden_lines) continue;
+    const bool silhouette = is_silhouette(crease, creases, planes, camera);
+    candidate.kind = silhouette ? LineKind::Silhouette : LineKind::Crease;
+    if (!silhouette && options.crease_angle_deg > 0 &&
+        crease_angle_deg(crease, creases, planes) < options.crease_angle_deg) {
+      continue;
+    }
+    wanted.push_back(k);
+    if (candidate.open != kNeitherSide) open.push_back(k);
+  }
+
+  CoveredRegion covered(extent_of_universe(tree.universe, camera),
+                        tiles_per_side(tree, options.level, creases.creases.size()),
+                        kPictureTolerance * unit);
+  Looker looker(tree, creases, candidates, open, camera, unit, covered);
+  walk_pieces(tree, {options.level, camera.viewpoint()}, looker);
+
+  const double joint = kJoinTolerance * unit;
+  merge_parts(looker.seen(), creases, joint);
+  VisibleLines lines;
+  for (const CreasePart& part : looker.seen()) {
+    lines.push_back(line_of(part, creases, candidates[part.crease].kind, false));
+  }
+  if (options.with_hidden_lines) {
+    for (const CreasePart& part : rest_of(wanted, looker.seen())) {
+      lines.push_back(line_of(part, creases, candidates[part.crease].kind, true));
+    }
+  }
+  lines = remove_overlaps(join_lines(lines, joint), camera, joint);
+  std::erase_if(lines, [&](const VisibleLine& line) {
+    return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
+  });
+  return in_pen_order(lines, camera);
+}
+
+}  // namespace spoctree
