@@ -34,7 +34,14 @@ FragmentCorner cross_wall(const FragmentCorner& from, const FragmentCorner& to,
                           std::uint32_t triangle, const Solid& solid, int axis, double coordinate) {
   FragmentCorner corner;
   corner.axis = static_cast<std::uint8_t>(axis);
-  corner.pinned = static_cast<std::uint8_t>((from.pinned & to.pinned) | (1u << axis));
+  // The new corner lies on the walls that hold both ends.
+  corner.pinned = static_cast<std::uint8_t>(1u << axis);
+  for (int k = 0; k < 3; ++k) {
+    const bool both_pinned = ((from.pinned & to.pinned) >> k) & 1;
+    if (both_pinned && from.position[k] == to.position[k]) {
+      corner.pinned = static_cast<std::uint8_t>(corner.pinned | (1u << k));
+    }
+  }
   if (from.edge < 3) {
     const SolidTriangle& t = solid.triangles[triangle];
     const std::uint32_t u = t.vertex[from.edge];
@@ -56,7 +63,7 @@ FragmentCorner cross_wall(const FragmentCorner& from, const FragmentCorner& to,
     corner.error = point.error;
   }
   for (int k = 0; k < 3; ++k) {
-    if ((corner.pinned >> k) & 1) corner.position[k] = from.position[k];
+    if (k != axis && ((corner.pinned >> k) & 1)) corner.position[k] = from.position[k];
   }
   corner.position[axis] = coordinate;
   return corner;
