@@ -70,24 +70,24 @@ class LevelSurvey : public PieceVisitor {
 
   void inner(const NodeAddress& address, const Polyhedron& region) override {
     grey_volume[address.level] += volume(region);
-    const std::uint32_t grey =
-        built_.tree.levels[address.level].first_child[address.index] / 8;
-    const SolidTriangle& witness =
-        solid_.triangles[built_.witnesses[address.level][grey]];
+    const std::uint32_t grey = built_.tree.levels[address.level].first_child[address.index] / 8;
+    const SolidTriangle& witness = solid_.triangles[built_.witnesses[address.level][grey]];
     const Vec3 a = solid_.vertices[witness.vertex[0]];
     const Vec3 b = solid_.vertices[witness.vertex[1]];
     const Vec3 c = solid_.vertices[witness.vertex[2]];
     double bound = 0;
+    const PolyhedronVertex* farthest = nullptr;
     for (const PolyhedronVertex& vertex : region.vertices) {
-      bound = std::max(bound, distance_to_triangle(vertex.position, a, b, c) + vertex.error);
+      const double distance = distance_to_triangle(vertex.position, a, b, c) + vertex.error;
+      if (distance >= bound) {
+        bound = distance;
+        farthest = &vertex;
+      }
     }
     double& reached = attained[address.level];
     if (bound <= kErrorBoundRatio * reached) return;
-    for (const PolyhedronVertex& vertex : region.vertices) {
-      if (distance_to_triangle(vertex.position, a, b, c) <= reached) continue;
-      if (classify_point(built_.tree, vertex.position) == PointClass::In) continue;
-      reached = std::max(reached, queries_.distance(vertex.position));
-    }
+    // A distance that is attained, from the corner that looks farthest, keeps the list short.
+    consider(*farthest, reached);
     if (bound > kErrorBoundRatio * reached) candidates[address.level].push_back({bound, region});
   }
 
@@ -128,18 +128,33 @@ class LevelSurvey : public PieceVisitor {
         bool centre_in_piece = true;
         if (!may_meet(*box.piece, planes, part.centre, part.half, centre_in_piece)) continue;
         ++queries;
-        const bool in_solid = classify_point(built_.tree, part.centre) == PointClass::In;
-        const double distance = in_solid ? 0.0 : queries_.distance(part.centre);
-        if (centre_in_piece) reached = std::max(reached, distance);
-        part.bound = std::min(box.bound, distance + glm::length(part.half));
+        const double radius = glm::length(part.half);
+        const double distance = queries_.distance(part.centre);
+        if (distance > radius || (centre_in_piece && distance > reached)) {
+          const bool in_solid = is_in_solid(part.centre);
+          if (in_solid && distance > radius) continue;  // all of the part is material
+          if (!in_solid && centre_in_piece) reached = std::max(reached, distance);
+        }
+        part.bound = std::min(box.bound, distance + radius);
         if (part.bound > kErrorBoundRatio * reached) open.push(part);
       }
     }
-    const double bound = std::max(kErrorBoundRatio * reached, open.empty() ? 0.0 : open.top().bound);
+    const double bound =
+        std::max(kErrorBoundRatio * reached, open.empty() ? 0.0 : open.top().bound);
     return bound + kDistanceRounding;
   }
 
  private:
+  bool is_in_solid(Vec3 point) const {
+    return classify_point(built_.tree, point) == PointClass::In;
+  }
+
+  /// Raises `reached` to the distance of a corner of a piece from the solid.
+  void consider(const PolyhedronVertex& vertex, double& reached) const {
+    const double distance = queries_.distance(vertex.position) - vertex.error;
+    if (distance > reached && !is_in_solid(vertex.position)) reached = distance;
+  }
+
   static bool may_meet(const Polyhedron& piece, const PlaneSet& planes, Vec3 centre, Vec3 half,
                        bool& centre_in_piece) {
     constexpr double kRounding = 1e-14;

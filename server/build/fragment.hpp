@@ -59,9 +59,7 @@ FragmentList whole_boundary(const Solid& solid);
 class CornerSides {
  public:
   CornerSides(const Solid& solid, const Incidence& incidence)
-      : solid_(&solid),
-        incidence_(&incidence),
-        doubt_(0x1p-46 + solid.largest_incidence_gap) {}
+      : solid_(&solid), incidence_(&incidence), doubt_(0x1p-46 + solid.largest_incidence_gap) {}
 
   /// Side of a corner with respect to plane `plane` of the solid: 0 where incidence says so, the
   /// exact sign elsewhere. `triangle` is the one the corner belongs to.

@@ -1,6 +1,8 @@
 #include "server/build/sp_classifier.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/geometry/predicates.hpp"
 #include "server/build/expression.hpp"
@@ -50,7 +52,7 @@ void SpClassifier::classify(Cell& cell, Decision& decision) {
     return;
   }
   decision.kind = NodeKind::Grey;
-  decision.witness = remaining_.front().triangle;
+  decision.witness = triangle_near_centre(cell);
   for (const std::uint32_t plane : planes_) {
     if (is_hull_plane(cell, plane)) decision.planes.push_back(plane);
   }
@@ -109,8 +111,7 @@ void SpClassifier::classify_homogeneous(Cell& cell, Decision& decision) {
     if (known != cell.corners.end()) {
       inside = *known == CornerState::Inside;
     } else {
-      const Vec3 centre =
-          0.5 * (cell.corner_position(solid_, 0) + cell.corner_position(solid_, 7));
+      const Vec3 centre = 0.5 * (cell.corner_position(solid_, 0) + cell.corner_position(solid_, 7));
       inside = queries_.side_of(centre) == SolidQueries::Side::In;
     }
   }
@@ -139,6 +140,23 @@ bool SpClassifier::shares_a_vertex() const {
       return std::binary_search(vertices.begin(), vertices.end(), vertex);
     });
   });
+}
+
+std::uint32_t SpClassifier::triangle_near_centre(const Cell& cell) const {
+  const Vec3 centre = 0.5 * (cell.corner_position(solid_, 0) + cell.corner_position(solid_, 7));
+  double nearest = std::numeric_limits<double>::infinity();
+  std::uint32_t triangle = 0;
+  for (const Fragment& fragment : remaining_) {
+    Vec3 sum{0.0};
+    for (const FragmentCorner& corner : cell.boundary.corners_of(fragment)) sum += corner.position;
+    const Vec3 offset = sum / static_cast<double>(fragment.corner_count) - centre;
+    const double distance = glm::dot(offset, offset);
+    if (distance < nearest) {
+      nearest = distance;
+      triangle = fragment.triangle;
+    }
+  }
+  return triangle;
 }
 
 CornerState SpClassifier::state_of(Cell& cell, unsigned octant) const {

@@ -38,6 +38,7 @@ class SpClassifier {
   bool is_convex() const;
   bool is_concave() const;
   bool shares_a_vertex() const;
+  std::uint32_t triangle_near_centre(const Cell& cell) const;
   CornerState state_of(Cell& cell, unsigned octant) const;
   bool is_hull_plane(Cell& cell, std::uint32_t plane) const;
   bool no_remaining_corner_on_side(int sign) const;
