@@ -1,44 +1,18 @@
 #include "server/build/certify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <queue>
 
 #include "common/tree/classify.hpp"
 #include "common/tree/pieces.hpp"
+#include "server/solid/triangle_distance.hpp"
 
 namespace spoctree {
 
 namespace {
-
-/// Distance from a point to a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
-double distance_to_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
-  const Vec3 ab = b - a;
-  const Vec3 ac = c - a;
-  const Vec3 ap = p - a;
-  const double d1 = glm::dot(ab, ap);
-  const double d2 = glm::dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return glm::length(ap);
-  const Vec3 bp = p - b;
-  const double d3 = glm::dot(ab, bp);
-  const double d4 = glm::dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return glm::length(bp);
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return glm::length(ap - d1 / (d1 - d3) * ab);
-  const Vec3 cp = p - c;
-  const double d5 = glm::dot(ab, cp);
-  const double d6 = glm::dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return glm::length(cp);
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return glm::length(ap - d2 / (d2 - d6) * ac);
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    return glm::length(bp - (d4 - d3) / ((d4 - d3) + (d5 - d6)) * (c - b));
-  }
-  const double sum = va + vb + vc;
-  return glm::length(ap - ab * (vb / sum) - ac * (vc / sum));
-}
 
 /// Distances are computed to better than this; it is added to every bound (universe units).
 constexpr double kDistanceRounding = 1e-12;
@@ -72,13 +46,13 @@ class LevelSurvey : public PieceVisitor {
     grey_volume[address.level] += volume(region);
     const std::uint32_t grey = built_.tree.levels[address.level].first_child[address.index] / 8;
     const SolidTriangle& witness = solid_.triangles[built_.witnesses[address.level][grey]];
-    const Vec3 a = solid_.vertices[witness.vertex[0]];
-    const Vec3 b = solid_.vertices[witness.vertex[1]];
-    const Vec3 c = solid_.vertices[witness.vertex[2]];
+    const MeasuredTriangle triangle(solid_.vertices[witness.vertex[0]],
+                                    solid_.vertices[witness.vertex[1]],
+                                    solid_.vertices[witness.vertex[2]]);
     double bound = 0;
     const PolyhedronVertex* farthest = nullptr;
     for (const PolyhedronVertex& vertex : region.vertices) {
-      const double distance = distance_to_triangle(vertex.position, a, b, c) + vertex.error;
+      const double distance = std::sqrt(triangle.squared_distance(vertex.position)) + vertex.error;
       if (distance >= bound) {
         bound = distance;
         farthest = &vertex;
