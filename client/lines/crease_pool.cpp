@@ -28,13 +28,6 @@ bool clip(const Crease& crease, const Plane& plane, double tolerance, Interval& 
 
 }  // namespace
 
-CreasePool::CreasePool(std::span<const Crease> creases, std::span<const std::uint32_t> wanted,
-                       double tolerance)
-    : creases_(creases), tolerance_(tolerance), frames_{0} {
-  parts_.reserve(wanted.size());
-  for (const std::uint32_t crease : wanted) parts_.push_back({crease, {0, 1}});
-}
-
 void CreasePool::take(std::span<const Plane> half_spaces, std::vector<CreasePart>& taken) {
   const std::size_t first = frames_.back();
   std::size_t kept = first;
@@ -60,12 +53,12 @@ void CreasePool::take(std::span<const Plane> half_spaces, std::vector<CreasePart
       parts_[kept++] = part;
       continue;
     }
-    taken.push_back({part.crease, inside});
+    taken.push_back({part.crease, part.sides, inside});
     if (inside.begin > part.interval.begin) {
-      rests_.push_back({part.crease, {part.interval.begin, inside.begin}});
+      rests_.push_back({part.crease, part.sides, {part.interval.begin, inside.begin}});
     }
     if (inside.end < part.interval.end) {
-      rests_.push_back({part.crease, {inside.end, part.interval.end}});
+      rests_.push_back({part.crease, part.sides, {inside.end, part.interval.end}});
     }
   }
   parts_.resize(kept);

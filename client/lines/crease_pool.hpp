@@ -10,19 +10,21 @@
 
 namespace spoctree {
 
-/// A part of a crease: the points a + t (b - a), t in `interval`.
+/// A part of a crease: the points a + t (b - a), t in `interval`; and the sides from which it may
+/// still turn out to be seen.
 struct CreasePart {
   std::uint32_t crease = 0;
+  LineSides sides = kBothSides;
   Interval interval;
 };
 
 /// One stack of parts; the frames of nested nodes are consecutive ranges of it.
 class CreasePool {
  public:
-  /// The root frame holds the creases listed in `wanted`, whole. Parts nearer than `tolerance` to a
-  /// region count as in it. REQUIRES: `creases` outlives the pool.
-  CreasePool(std::span<const Crease> creases, std::span<const std::uint32_t> wanted,
-             double tolerance);
+  /// The root frame holds `parts`. What is nearer than `tolerance` to a region counts as in it.
+  /// REQUIRES: `creases` outlives the pool.
+  CreasePool(std::span<const Crease> creases, std::vector<CreasePart> parts, double tolerance)
+      : creases_(creases), tolerance_(tolerance), parts_(std::move(parts)), frames_{0} {}
 
   /// True if no part is left in any frame.
   bool is_empty() const { return parts_.empty(); }
@@ -36,6 +38,8 @@ class CreasePool {
   void close_frame() { frames_.pop_back(); }
   /// Moves the parts of the innermost frame that lie in the half-spaces to the end of `taken`.
   void take(std::span<const Plane> half_spaces, std::vector<CreasePart>& taken);
+  /// Puts a part into the innermost frame.
+  void put_back(const CreasePart& part) { parts_.push_back(part); }
 
  private:
   std::span<const Crease> creases_;

@@ -15,24 +15,17 @@ namespace spoctree {
 
 namespace {
 
-/// A crease worth looking at.
-struct Candidate {
-  LineKind kind = LineKind::Crease;
-  LineSides open = kNeitherSide;
-};
-
 /// Walks the tree from front to back and collects the parts of creases that can be seen.
 class Looker : public PieceVisitor {
  public:
-  Looker(const Octree& tree, const Creases& creases, const std::vector<Candidate>& candidates,
-         std::span<const std::uint32_t> wanted, const Camera& camera, double unit,
-         CoveredRegion& covered)
+  Looker(const Octree& tree, const Creases& creases, std::vector<CreasePart> open,
+         const Camera& camera, double unit, CoveredRegion& covered)
       : creases_(creases),
-        candidates_(candidates),
         camera_(camera),
+        tolerance_(kPictureTolerance * unit),
         planes_(tree.plane_set()),
         outlines_(planes_, tree.planes.size(), camera),
-        pool_(creases.creases, wanted, kCreaseTolerance * unit),
+        pool_(creases.creases, std::move(open), kCreaseTolerance * unit),
         covered_(covered) {}
 
   bool enter(const NodeAddress& address, NodeKind, const Polyhedron& region) override {
@@ -56,12 +49,12 @@ class Looker : public PieceVisitor {
   }
 
   void piece(const NodeAddress&, NodeKind, std::uint32_t, const Polyhedron& piece) override {
+    outlines_.find(piece, outline_);
     if (!pool_.frame_is_empty()) {
       taken_.clear();
       pool_.take(half_spaces_of(piece), taken_);
       for (const CreasePart& part : taken_) look_at(part);
     }
-    outlines_.find(piece, outline_);
     covered_.cover(outline_);
   }
 
@@ -90,18 +83,63 @@ class Looker : public PieceVisitor {
     return half_spaces_;
   }
 
+  /// Judges a part of a crease that the piece with `outline_` is the first to touch. What can hide
+  /// the piece is in the covered region by now, and nothing behind the piece is; beside the crease,
+  /// that is so where the outline extends. On a side where it does not (the piece ends there, or is
+  /// seen edge-on), the next piece that touches the part will judge. If none does, a nearer crease
+  /// makes the same line in the picture.
   void look_at(const CreasePart& part) {
     const Crease& crease = creases_.creases[part.crease];
     const Vec2 origin = camera_.project(crease.a);
     const Vec2 step = camera_.project(crease.b) - origin;
+    const auto judged = static_cast<LineSides>(part.sides & sides_of_outline(origin, step));
+    if (judged == kNeitherSide) {
+      pool_.put_back(part);
+      return;
+    }
     parts_.clear();
-    covered_.uncovered_parts(origin, step, part.interval, candidates_[part.crease].open, parts_);
-    for (const Interval& interval : parts_) seen_.push_back({part.crease, interval});
+    covered_.uncovered_parts(origin, step, part.interval, judged, parts_);
+    for (const Interval& interval : parts_) seen_.push_back({part.crease, judged, interval});
+    const auto open = static_cast<LineSides>(part.sides & ~judged);
+    if (open == kNeitherSide) return;
+    // Only what the covered region ends at: what it covers on both sides stays hidden.
+    hidden_.clear();
+    append_rest(part.interval, parts_, hidden_);
+    for (const Interval& hidden : hidden_) {
+      parts_.clear();
+      covered_.uncovered_parts(origin, step, hidden, open, parts_);
+      for (const Interval& interval : parts_) pool_.put_back({part.crease, open, interval});
+    }
+  }
+
+  /// The sides of a line of the picture on which the outline extends.
+  LineSides sides_of_outline(Vec2 origin, Vec2 step) const {
+    const Vec2 left = Vec2{-step.y, step.x} / glm::length(step);
+    LineSides sides = kNeitherSide;
+    for (const Vec2 corner : outline_) {
+      const double distance = glm::dot(left, corner - origin);
+      if (distance > tolerance_) sides |= kLeftSide;
+      if (distance < -tolerance_) sides |= kRightSide;
+    }
+    return sides;
+  }
+
+  /// The parts of `whole` that are in none of `parts`, which are sorted by that.
+  static void append_rest(Interval whole, std::vector<Interval>& parts,
+                          std::vector<Interval>& rest) {
+    std::sort(parts.begin(), parts.end(),
+              [](const Interval& p, const Interval& q) { return p.begin < q.begin; });
+    double from = whole.begin;
+    for (const Interval& part : parts) {
+      if (part.begin > from) rest.push_back({from, part.begin});
+      from = std::max(from, part.end);
+    }
+    if (from < whole.end) rest.push_back({from, whole.end});
   }
 
   const Creases& creases_;
-  const std::vector<Candidate>& candidates_;
   const Camera& camera_;
+  const double tolerance_;
   const PlaneSet planes_;
   OutlineFinder outlines_;
   CreasePool pool_;
@@ -111,6 +149,7 @@ class Looker : public PieceVisitor {
   std::vector<Plane> half_spaces_;
   std::vector<CreasePart> taken_;
   std::vector<Interval> parts_;
+  std::vector<Interval> hidden_;
   std::vector<Vec2> outline_;
 };
 
@@ -170,10 +209,11 @@ std::vector<CreasePart> rest_of(std::span<const std::uint32_t> wanted,
   for (const std::uint32_t crease : wanted) {
     double from = 0;
     for (; part != parts.end() && part->crease == crease; ++part) {
-      if (part->interval.begin > from) rest.push_back({crease, {from, part->interval.begin}});
+      if (part->interval.begin > from)
+        rest.push_back({crease, kNeitherSide, {from, part->interval.begin}});
       from = part->interval.end;
     }
-    if (from < 1) rest.push_back({crease, {from, 1}});
+    if (from < 1) rest.push_back({crease, kNeitherSide, {from, 1}});
   }
   return rest;
 }
@@ -201,43 +241,42 @@ VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Cam
   const PlaneSet planes = tree.plane_set();
   const Creases creases = creases_of(surface);
 
-  std::vector<Candidate> candidates(creases.creases.size());
+  std::vector<LineKind> kinds(creases.creases.size());
   std::vector<std::uint32_t> wanted;  // all that should be drawn, if they can be seen
-  std::vector<std::uint32_t> open;    // those not hidden by their own material
-  for (std::uint32_t k = 0; k < candidates.size(); ++k) {
+  std::vector<CreasePart> open;       // those not hidden by their own material
+  for (std::uint32_t k = 0; k < kinds.size(); ++k) {
     const Crease& crease = creases.creases[k];
-    Candidate& candidate = candidates[k];
-    // A line in the line of sight is a point, and one behind its own material takes no part.
+    // A line in the line of sight is a point.
     if (glm::distance(camera.project(crease.a), camera.project(crease.b)) < 1e-3 * shortest) {
       continue;
     }
-    candidate.open = open_sides(crease, creases, planes, camera);
-    if (candidate.open == kNeitherSide && !options.with_hidden_lines) continue;
+    const LineSides sides = open_sides(crease, creases, planes, camera);
+    if (sides == kNeitherSide && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
-    candidate.kind = silhouette ? LineKind::Silhouette : LineKind::Crease;
+    kinds[k] = silhouette ? LineKind::Silhouette : LineKind::Crease;
     if (!silhouette && options.crease_angle_deg > 0 &&
         crease_angle_deg(crease, creases, planes) < options.crease_angle_deg) {
       continue;
     }
     wanted.push_back(k);
-    if (candidate.open != kNeitherSide) open.push_back(k);
+    if (sides != kNeitherSide) open.push_back({k, sides, {0, 1}});
   }
 
   CoveredRegion covered(extent_of_universe(tree.universe, camera),
                         tiles_per_side(tree, options.level, creases.creases.size()),
                         kPictureTolerance * unit);
-  Looker looker(tree, creases, candidates, open, camera, unit, covered);
+  Looker looker(tree, creases, std::move(open), camera, unit, covered);
   walk_pieces(tree, {options.level, camera.viewpoint()}, looker);
 
   const double joint = kJoinTolerance * unit;
   merge_parts(looker.seen(), creases, joint);
   VisibleLines lines;
   for (const CreasePart& part : looker.seen()) {
-    lines.push_back(line_of(part, creases, candidates[part.crease].kind, false));
+    lines.push_back(line_of(part, creases, kinds[part.crease], false));
   }
   if (options.with_hidden_lines) {
     for (const CreasePart& part : rest_of(wanted, looker.seen())) {
-      lines.push_back(line_of(part, creases, candidates[part.crease].kind, true));
+      lines.push_back(line_of(part, creases, kinds[part.crease], true));
     }
   }
   lines = remove_overlaps(join_lines(lines, joint), camera, joint);

@@ -1,0 +1,144 @@
+#include "tests/support/sight_oracle.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+namespace spoctree {
+
+namespace {
+
+using glm::dvec2;
+
+/// Far less than any feature of a test scene, far more than any rounding.
+constexpr double kBeside = 1e-9;
+constexpr double kStart = 1e-6;
+
+double distance_to_segment(dvec2 p, dvec2 a, dvec2 b) {
+  const dvec2 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? glm::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + t * along);
+}
+
+std::string text_of(const char* what, Vec3 point) {
+  std::ostringstream text;
+  text.precision(12);
+  text << what << " at (" << point.x << ", " << point.y << ", " << point.z << ")";
+  return text.str();
+}
+
+}  // namespace
+
+SightOracle::SightOracle(const Surface& surface, const PlaneSet& planes, Vec3 toward_viewer)
+    : surface_(surface), planes_(planes), toward_viewer_(glm::normalize(toward_viewer)) {
+  // Any two axes across the direction will do.
+  const Vec3 other = std::abs(toward_viewer_.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
+  x_axis_ = glm::normalize(glm::cross(toward_viewer_, other));
+  y_axis_ = glm::cross(toward_viewer_, x_axis_);
+}
+
+glm::dvec2 SightOracle::project(Vec3 point) const {
+  return {glm::dot(x_axis_, point), glm::dot(y_axis_, point)};
+}
+
+bool SightOracle::ray_is_free(Vec3 from) const {
+  const dvec2 p = project(from);
+  for (const Surface::Face& face : surface_.faces) {
+    const Plane plane = planes_[face.plane];
+    const double slope = glm::dot(plane.normal, toward_viewer_);
+    if (std::abs(slope) < 1e-12) continue;
+    const double ahead = (plane.offset - glm::dot(plane.normal, from)) / slope;
+    if (ahead <= kStart) continue;
+    bool is_inside = false;  // even-odd, over all loops
+    for (const Surface::Loop& loop : surface_.loops_of(face)) {
+      const auto corners = surface_.vertices_of(loop);
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        const dvec2 a = project(surface_.vertices[corners[k]]);
+        const dvec2 b = project(surface_.vertices[corners[(k + 1) % corners.size()]]);
+        if ((a.y > p.y) == (b.y > p.y)) continue;
+        if (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) is_inside = !is_inside;
+      }
+    }
+    if (is_inside) return false;
+  }
+  return true;
+}
+
+bool SightOracle::is_visible(Vec3 point, Vec3 direction) const {
+  const Vec3 beside = kBeside * glm::normalize(glm::cross(toward_viewer_, direction));
+  return ray_is_free(point + beside) || ray_is_free(point - beside);
+}
+
+bool SightOracle::is_near_other_crease(Vec3 point, Vec3 direction, double distance) const {
+  const dvec2 p = project(point);
+  const dvec2 along = glm::normalize(project(direction));
+  for (const Surface::Edge& edge : surface_.edges) {
+    const dvec2 a = project(surface_.vertices[edge.a]);
+    const dvec2 b = project(surface_.vertices[edge.b]);
+    const dvec2 ab = b - a;
+    const bool on_the_line = std::abs(along.x * ab.y - along.y * ab.x) < 1e-9 * glm::length(ab) &&
+                             std::abs(along.x * (p.y - a.y) - along.y * (p.x - a.x)) < 1e-9;
+    if (on_the_line) {
+      // It begins and ends somewhere, though.
+      if (glm::distance(a, p) < distance || glm::distance(b, p) < distance) return true;
+    } else if (distance_to_segment(p, a, b) < distance) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& oracle, int samples,
+                                 std::size_t& tried) {
+  constexpr double kMargin = 1e-7;
+  constexpr double kOnLine = 1e-8;
+  constexpr std::size_t kMost = 10;
+  std::vector<std::string> errors;
+  const Surface& surface = oracle.surface();
+  // Irregular places, so that symmetric scenes are not sampled at their symmetric points only.
+  const auto place = [&](int k) { return (k + 0.381966) / samples; };
+  const auto is_drawn = [&](dvec2 p, const VisibleLine* except, dvec2 along) {
+    for (const VisibleLine& line : lines) {
+      if (&line == except) continue;
+      const dvec2 a = oracle.project(line.a);
+      const dvec2 b = oracle.project(line.b);
+      const dvec2 ab = b - a;
+      if (std::abs(along.x * ab.y - along.y * ab.x) > 1e-6 * glm::length(ab)) continue;
+      if (distance_to_segment(p, a, b) < kOnLine) return true;
+    }
+    return false;
+  };
+  for (const Surface::Edge& edge : surface.edges) {
+    const Vec3 a = surface.vertices[edge.a];
+    const Vec3 step = surface.vertices[edge.b] - a;
+    const dvec2 step_seen = oracle.project(step);
+    if (glm::length(step_seen) < 1e-6) continue;
+    for (int k = 0; k < samples && errors.size() < kMost; ++k) {
+      const Vec3 point = a + place(k) * step;
+      if (oracle.is_near_other_crease(point, step, kMargin)) continue;
+      ++tried;
+      if (oracle.is_visible(point, step) &&
+          !is_drawn(oracle.project(point), nullptr, glm::normalize(step_seen))) {
+        errors.push_back(text_of("a crease that is seen is not drawn", point));
+      }
+    }
+  }
+  for (const VisibleLine& line : lines) {
+    const Vec3 step = line.b - line.a;
+    for (int k = 0; k < samples && errors.size() < kMost; ++k) {
+      const Vec3 point = line.a + place(k) * step;
+      if (oracle.is_near_other_crease(point, step, kMargin)) continue;
+      ++tried;
+      if (!oracle.is_visible(point, step)) {
+        errors.push_back(text_of("a line is drawn that is not seen", point));
+      }
+      if (is_drawn(oracle.project(point), &line, glm::normalize(oracle.project(step)))) {
+        errors.push_back(text_of("two lines lie on each other", point));
+      }
+    }
+  }
+  return errors;
+}
+
+}  // namespace spoctree
