@@ -1,6 +1,7 @@
 #include "server/solid/facets.hpp"
 
 #include <algorithm>
+#include <glm/geometric.hpp>
 
 #include "server/solid/grow_patches.hpp"
 #include "server/solid/share_planes.hpp"
@@ -53,6 +54,22 @@ void group_into_facets(Solid& solid, double tolerance) {
   solid.largest_incidence_gap = static_cast<double>(largest_gap) * 0x1p-104 * (1 + 0x1p-50);
   solid.report.planes_before_merging = grown.distinct_triangle_planes;
   solid.report.largest_merge_distance = solid.largest_incidence_gap * solid.universe.scale();
+}
+
+std::optional<std::array<std::uint32_t, 2>> find_lost_edge(const Solid& solid) {
+  for (const SolidTriangle& t : solid.triangles) {
+    const Vec3 here = solid.planes[solid.facet_plane[t.facet]].normal;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t across = solid.triangles[t.neighbour[i]].facet;
+      const Vec3 there = solid.planes[solid.facet_plane[across]].normal;
+      // Both planes pass the edge within the gap; what is left to know is the angle between them.
+      if (glm::dot(here, there) < 0 &&
+          2 * solid.largest_incidence_gap > kMostEdgeShift * glm::length(glm::cross(here, there))) {
+        return std::array{t.vertex[i], t.vertex[(i + 1) % 3]};
+      }
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace spoctree

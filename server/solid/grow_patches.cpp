@@ -9,9 +9,13 @@ namespace {
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
-// A triangle this many times longer than high, and no higher than the tolerance, has its normal
-// from rounding; only its corners say where it lies.
+// A triangle this many times longer than high, and no higher than the tolerance, may have its
+// normal from rounding.
 constexpr double kSliverAspect = 32;
+
+// Other triangles have to face the patch's way, within 60 degrees: the rim of a plate thinner than
+// the tolerance is no part of its top.
+constexpr Int128 kSmallestScalarProduct = Int128{1} << (2 * kGridBits - 1);
 
 struct TriangleShape {
   GridPlane plane;
@@ -67,7 +71,8 @@ class Grower {
     return range;
   }
   PlanarPatch grow(std::uint32_t seed, std::uint32_t number);
-  bool join(PlanarPatch& patch, std::uint32_t t) const;
+  bool join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const;
+  bool is_aligned(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const;
   void fit(PlanarPatch& patch) const;
 
   std::vector<SolidTriangle>& triangles_;
@@ -85,14 +90,22 @@ std::size_t Grower::count_distinct_planes() const {
   return static_cast<std::size_t>(std::unique(planes.begin(), planes.end()) - planes.begin());
 }
 
+// A sliver between two triangles of the patch is a part of it wherever its normal points.
+bool Grower::is_aligned(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const {
+  if (dot(shapes_[t].plane.normal, patch.plane.normal) >= kSmallestScalarProduct) return true;
+  if (!shapes_[t].is_sliver) return false;
+  const auto& neighbours = triangles_[t].neighbour;
+  return std::count_if(std::begin(neighbours), std::end(neighbours),
+                       [&](std::uint32_t n) { return triangles_[n].facet == number; }) >= 2;
+}
+
 // The patch keeps the seed's plane while it grows; it becomes wider, never tilted.
-bool Grower::join(PlanarPatch& patch, std::uint32_t t) const {
+bool Grower::join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const {
   HeightRange range = patch.range;
   range.add(heights(patch.plane, t));
   if (shapes_[t].plane != patch.plane) {
     if (most_spread_ == 0 || range.spread() > most_spread_) return false;
-    if (!shapes_[t].is_sliver && dot(shapes_[t].plane.normal, patch.plane.normal) <= 0)
-      return false;
+    if (!is_aligned(patch, number, t)) return false;
     patch.is_exact = false;
   }
   patch.range = range;
@@ -107,7 +120,7 @@ PlanarPatch Grower::grow(std::uint32_t seed, std::uint32_t number) {
   reached_.assign(1, seed);
   for (std::size_t i = 0; i < reached_.size(); ++i) {
     for (const std::uint32_t n : triangles_[reached_[i]].neighbour) {
-      if (triangles_[n].facet != kNone || !join(patch, n)) continue;
+      if (triangles_[n].facet != kNone || !join(patch, number, n)) continue;
       triangles_[n].facet = number;
       reached_.push_back(n);
     }

@@ -61,6 +61,13 @@ Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportO
   }
   solid.vertices = std::move(mesh.vertices);
   group_into_facets(solid, options.flat_tolerance * mesh.box_diagonal);
+  if (options.flat_tolerance > 0) {
+    const auto lost = find_lost_edge(solid);
+    if (lost) {
+      mesh.fail("the flat tolerance is too large for the thin part at the edge " +
+                mesh.place(*lost));
+    }
+  }
   return solid;
 }
 

@@ -11,20 +11,26 @@ namespace spoctree {
 
 struct ImportOptions {
   /// Triangles whose corners lie between two parallel planes this far apart become one face, as a
-  /// fraction of the diagonal of the bounding box. Merged faces move outwards by no more.
+  /// fraction of the diagonal of the bounding box. Merged faces move outwards by no more, sharp
+  /// edges between them by more: it has to be far below the thickness of the thinnest part.
   double flat_tolerance = kDefaultFlatTolerance;
 };
 
 /// The solid that the faces bound. They may be polygons, convex or not, even or not; the surface
 /// may have several parts, cavities, and parts in cavities. A solid whose faces all point inwards
-/// is turned (report.was_turned). Everything is decided exactly: on the file's coordinates which
-/// faces are degenerate, on the grid (to which a point moves by less than 2^-53 of the universe
-/// cube) whether the surface is free of self-intersections and how its parts nest. n log n for n
-/// faces whose bounding boxes overlap few others. Throws BadInput("name: what is wrong, how often,
-/// and where first", in the file's coordinates) if the faces are none, are degenerate, or do not
-/// bound a solid: border edges, edges with more than two faces, faces or shells that disagree about
-/// the outside, vertices with more than one fan of faces, self-intersections. REQUIRES: soup as
-/// from read_mesh (equal points merged, none unused); 0 <= flat_tolerance < 0.1.
+/// is turned (report.was_turned).
+///
+/// Everything is decided exactly: on the file's coordinates which faces are degenerate, on the grid
+/// (to which a point moves by less than 2^-52 of the universe cube) whether the surface is free of
+/// self-intersections and how its parts nest. n log n for n faces whose bounding boxes overlap few
+/// others.
+///
+/// Throws BadInput("name: what is wrong, how often, and where first", in the file's coordinates) if
+/// there are no faces or degenerate ones, or if they do not bound a solid: border edges, edges with
+/// more than two faces, faces or shells that disagree about the outside, vertices with more than
+/// one fan of faces, self-intersections; and if the flat tolerance is as large as a part is thin.
+///
+/// REQUIRES: soup as from read_mesh (equal points merged, none unused); 0 <= flat_tolerance < 0.1.
 Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options);
 
 }  // namespace spoctree

@@ -1,9 +1,9 @@
 #include "server/solid/share_planes.hpp"
 
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <unordered_map>
 
@@ -16,15 +16,25 @@ constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 // Planes are filed in cells of this side in the space of normals and offsets.
 constexpr double kCell = 0x1p-10;
 
-struct PlaneHash {
-  std::size_t operator()(const GridPlane& plane) const {
-    std::uint64_t hash = static_cast<std::uint64_t>(plane.offset);
-    for (const std::int64_t n : plane.normal) {
-      hash = (hash ^ (hash >> 29)) * 0x9E3779B97F4A7C15u + static_cast<std::uint64_t>(n);
-    }
-    return static_cast<std::size_t>(hash ^ (hash >> 32));
-  }
-};
+// A place among the planes: three components of the normal, and the offset.
+using Place = std::array<double, 4>;
+using Cell = std::array<std::int64_t, 4>;
+
+Place place_of(const GridPlane& grid_plane) {
+  const Plane plane = grid_plane.to_plane();
+  return {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
+}
+
+std::int64_t cell_coordinate(double value) {
+  return static_cast<std::int64_t>(std::floor(value / kCell));
+}
+
+// Coordinates are at most 2 / kCell in magnitude.
+std::uint64_t key_of(const Cell& cell) {
+  std::uint64_t key = 0;
+  for (const std::int64_t c : cell) key = (key << 14) | static_cast<std::uint64_t>(c + (1 << 13));
+  return key;
+}
 
 class PlaneSharer {
  public:
@@ -36,33 +46,18 @@ class PlaneSharer {
   std::vector<SharedPlane> planes;
 
  private:
-  std::uint32_t find_near(const PlanarPatch& patch, std::uint32_t facet);
-  bool join(std::uint32_t plane, const HeightRange& range) {
-    HeightRange joint = planes[plane].range;
-    joint.add(range);
-    if (joint.spread() > most_spread_) return false;
-    planes[plane].range = joint;
-    return true;
-  }
-  HeightRange heights(const GridPlane& plane, std::uint32_t facet) const {
-    HeightRange range;
-    for (const std::uint32_t v : solid_.vertices_of_facet(facet))
-      range.add(plane.height(points_[v]));
-    return range;
-  }
+  std::uint32_t find(const PlanarPatch& patch, std::uint32_t facet);
+  void collect_candidates(const Place& place, const Place& margin);
+  bool join(SharedPlane& shared, const PlanarPatch& patch, std::uint32_t facet) const;
   double largest_tilt(const PlanarPatch& patch, std::uint32_t facet) const;
-  static std::uint64_t cell_of(const std::array<std::int64_t, 4>& cell) {
-    std::uint64_t key = 0;
-    for (const std::int64_t c : cell) key = (key << 14) | static_cast<std::uint64_t>(c + (1 << 13));
-    return key;
-  }
 
   const Solid& solid_;
   const std::vector<GridPoint>& points_;
   double tolerance_;
   Int128 most_spread_;
-  std::unordered_map<GridPlane, std::uint32_t, PlaneHash> exact_;
-  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> cells_;
+  std::unordered_map<std::uint64_t, std::uint32_t> newest_in_cell_;
+  std::vector<std::uint32_t> next_in_cell_;  // for each plane: the one before it in its cell
+  std::vector<std::uint32_t> candidates_;
 };
 
 // By how much the normal of a plane within the tolerance of the facet's corners can differ from the
@@ -79,67 +74,74 @@ double PlaneSharer::largest_tilt(const PlanarPatch& patch, std::uint32_t facet) 
   return std::min(kCell / 2, 2 * tolerance_ / width + 0x1p-50);
 }
 
-std::uint32_t PlaneSharer::find_near(const PlanarPatch& patch, std::uint32_t facet) {
-  const double tilt = largest_tilt(patch, facet);
-  // Points of the universe cube are at most sqrt(3) from the origin.
-  const double shift = std::min(kCell / 2, 1.75 * tilt + 2 * tolerance_);
-  const Plane plane = patch.plane.to_plane();
-  const double centre[4] = {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
-  std::array<std::int64_t, 4> first;
-  std::array<std::int64_t, 4> last;
+// All planes within the margin of the place, the oldest (of the largest patch) first.
+void PlaneSharer::collect_candidates(const Place& place, const Place& margin) {
+  Cell first;
+  Cell last;
   for (std::size_t i = 0; i < 4; ++i) {
-    const double margin = i < 3 ? tilt : shift;
-    first[i] = static_cast<std::int64_t>(std::floor((centre[i] - margin) / kCell));
-    last[i] = static_cast<std::int64_t>(std::floor((centre[i] + margin) / kCell));
+    first[i] = cell_coordinate(place[i] - margin[i]);
+    last[i] = cell_coordinate(place[i] + margin[i]);
   }
-  std::vector<std::uint32_t> candidates;
-  std::array<std::int64_t, 4> cell;
-  for (cell[0] = first[0]; cell[0] <= last[0]; ++cell[0]) {
-    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1]) {
-      for (cell[2] = first[2]; cell[2] <= last[2]; ++cell[2]) {
-        for (cell[3] = first[3]; cell[3] <= last[3]; ++cell[3]) {
-          const auto found = cells_.find(cell_of(cell));
-          if (found == cells_.end()) continue;
-          candidates.insert(candidates.end(), found->second.begin(), found->second.end());
-        }
-      }
+  const auto is_near = [&](std::uint32_t candidate) {
+    const Place other = place_of(planes[candidate].plane);
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (std::abs(other[i] - place[i]) > margin[i]) return false;
     }
+    return true;
+  };
+  candidates_.clear();
+  Cell cell = first;
+  for (;;) {
+    const auto found = newest_in_cell_.find(key_of(cell));
+    for (std::uint32_t candidate = found == newest_in_cell_.end() ? kNone : found->second;
+         candidate != kNone; candidate = next_in_cell_[candidate]) {
+      if (is_near(candidate)) candidates_.push_back(candidate);
+    }
+    std::size_t i = 0;
+    while (i < 4 && cell[i] == last[i]) {
+      cell[i] = first[i];
+      ++i;
+    }
+    if (i == 4) break;
+    ++cell[i];
   }
-  std::sort(candidates.begin(), candidates.end());
-  for (const std::uint32_t candidate : candidates) {
-    const GridPlane& other = planes[candidate].plane;
-    if (dot(other.normal, patch.plane.normal) <= 0) continue;
-    if (join(candidate, heights(other, facet))) return candidate;
+  std::sort(candidates_.begin(), candidates_.end());
+}
+
+bool PlaneSharer::join(SharedPlane& shared, const PlanarPatch& patch, std::uint32_t facet) const {
+  HeightRange range = shared.range;
+  for (const std::uint32_t v : solid_.vertices_of_facet(facet)) {
+    range.add(shared.plane.height(points_[v]));
+  }
+  // What equal planes differ by is the rounding to the grid, and not held against them.
+  if (shared.plane != patch.plane && range.spread() > most_spread_) return false;
+  shared.range = range;
+  return true;
+}
+
+std::uint32_t PlaneSharer::find(const PlanarPatch& patch, std::uint32_t facet) {
+  const double tilt = most_spread_ == 0 ? 0 : largest_tilt(patch, facet);
+  // Points of the universe cube are at most sqrt(3) from the origin.
+  const double shift = most_spread_ == 0 ? 0 : std::min(kCell / 2, 1.75 * tilt + 2 * tolerance_);
+  collect_candidates(place_of(patch.plane), {tilt, tilt, tilt, shift});
+  for (const std::uint32_t candidate : candidates_) {
+    if (join(planes[candidate], patch, facet)) return candidate;
   }
   return kNone;
 }
 
 std::uint32_t PlaneSharer::find_or_add(const PlanarPatch& patch, std::uint32_t facet) {
-  const auto next = static_cast<std::uint32_t>(planes.size());
-  if (patch.is_exact) {
-    const auto [entry, is_new] = exact_.try_emplace(patch.plane, next);
-    if (!is_new) {
-      planes[entry->second].range.add(heights(planes[entry->second].plane, facet));
-      return entry->second;
-    }
-  }
-  if (most_spread_ > 0) {
-    const std::uint32_t near = find_near(patch, facet);
-    if (near != kNone) {
-      // Equal planes must not be sent here: the rounding of their offsets is not held against them.
-      if (patch.is_exact) exact_.erase(patch.plane);
-      return near;
-    }
-    const Plane plane = patch.plane.to_plane();
-    const double centre[4] = {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset};
-    std::array<std::int64_t, 4> cell;
-    for (std::size_t i = 0; i < 4; ++i) {
-      cell[i] = static_cast<std::int64_t>(std::floor(centre[i] / kCell));
-    }
-    cells_[cell_of(cell)].push_back(next);
-  }
+  const std::uint32_t found = find(patch, facet);
+  if (found != kNone) return found;
+  const auto number = static_cast<std::uint32_t>(planes.size());
   planes.push_back({patch.plane, patch.range});
-  return next;
+  const Place place = place_of(patch.plane);
+  const std::uint64_t key = key_of({cell_coordinate(place[0]), cell_coordinate(place[1]),
+                                    cell_coordinate(place[2]), cell_coordinate(place[3])});
+  const auto [entry, is_first] = newest_in_cell_.try_emplace(key, number);
+  next_in_cell_.push_back(is_first ? kNone : entry->second);
+  entry->second = number;
+  return number;
 }
 
 }  // namespace
