@@ -51,5 +51,13 @@ inline constexpr std::chrono::seconds kConnectTimeout{10};
 inline constexpr std::chrono::seconds kIdleTimeout{120};
 /// From the first byte of a request to its last.
 inline constexpr std::chrono::seconds kRequestTimeout{10};
+/// For the last words to a client that broke the protocol: so long, and so many bytes, it may go on
+/// talking.
+inline constexpr std::chrono::seconds kFarewellTimeout{2};
+inline constexpr std::size_t kMaxFarewellBytes = 65'536;
+
+/// Connections that one server keeps open; so many more are told `busy`, others are closed at once.
+inline constexpr std::size_t kMaxConnections = 1'000;
+inline constexpr std::size_t kMaxRefusals = 64;
 
 }  // namespace spoctree

@@ -28,18 +28,6 @@ const char* format_name(MeshFormat format) {
   return kNames[static_cast<std::size_t>(format)];
 }
 
-std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  if (extension == ".off") return MeshFormat::Off;
-  if (extension == ".obj") return MeshFormat::Obj;
-  if (extension == ".stl") return MeshFormat::Stl;
-  if (extension == ".ply") return MeshFormat::Ply;
-  return std::nullopt;
-}
-
 // What the content says of itself, if anything: OBJ files, and OFF files without a keyword, have no
 // mark of their own.
 std::optional<MeshFormat> format_of_content(std::string_view bytes) {
@@ -99,6 +87,18 @@ void reject_collapsed_faces(const PolygonSoup& soup, std::string_view name) {
 }
 
 }  // namespace
+
+std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  if (extension == ".off") return MeshFormat::Off;
+  if (extension == ".obj") return MeshFormat::Obj;
+  if (extension == ".stl") return MeshFormat::Stl;
+  if (extension == ".ply") return MeshFormat::Ply;
+  return std::nullopt;
+}
 
 PolygonSoup parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name) {
   if (bytes.empty()) throw BadInput(std::string(name) + ": the file is empty");

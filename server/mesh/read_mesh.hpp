@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "server/mesh/polygon_soup.hpp"
@@ -9,6 +10,9 @@
 namespace spoctree {
 
 enum class MeshFormat { Off, Obj, Stl, Ply };
+
+/// The format that a file's extension (in any case) names; nothing if it names none of them.
+std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
 
 /// Reads an OFF, OBJ, STL or PLY file. The extension (in any case) names the format; a file whose
 /// content is evidently another of the four is rejected. Exactly equal points are merged and unused

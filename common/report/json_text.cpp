@@ -1,4 +1,4 @@
-#include "common/program/json_text.hpp"
+#include "common/report/json_text.hpp"
 
 #include <charconv>
 #include <cmath>

@@ -1,0 +1,19 @@
+// spoctree-server build: a mesh file -> a .spo file and a summary.
+#pragma once
+
+#include <string>
+
+#include "server/commands/build_model.hpp"
+
+namespace spoctree {
+
+struct BuildArguments {
+  std::string mesh;
+  std::string output;  ///< "-": standard output (the summary then goes to standard error)
+  ModelOptions options;
+};
+
+/// Throws BadInput as build_model does and when the output cannot be written.
+void run_build(const BuildArguments& arguments);
+
+}  // namespace spoctree

@@ -1,0 +1,82 @@
+#include "server/commands/build_model.hpp"
+
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "common/report/json_text.hpp"
+#include "common/tree/validate.hpp"
+#include "common/wire/hash.hpp"
+#include "common/wire/mapped_file.hpp"
+#include "server/build/build_octree.hpp"
+#include "server/build/certify.hpp"
+#include "server/mesh/read_mesh.hpp"
+#include "server/solid/import_solid.hpp"
+
+namespace spoctree {
+
+namespace {
+
+class Stopwatch {
+ public:
+  double lap() {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<double> passed = now - begin_;
+    begin_ = now;
+    return passed.count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions& options) {
+  SourceInfo source;
+  source.name = mesh.filename().string();
+  source.hash = hash_bytes(MappedFile(mesh).bytes());
+  source.build_options = "max-depth=" + std::to_string(options.max_depth) +
+                         " leaf-planes=" + std::to_string(options.leaf_planes) +
+                         " flat-tolerance=" + to_text(options.flat_tolerance);
+  return source;
+}
+
+}  // namespace
+
+Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
+                  const BuildProgress& progress) {
+  Model model;
+  Stopwatch stopwatch;
+  progress("reading and judging", 0);
+  ImportOptions import_options;
+  import_options.flat_tolerance = options.flat_tolerance;
+  const Solid solid = import_solid(read_mesh(mesh), mesh.string(), import_options);
+  model.source = describe_source(mesh, options);
+  model.report = solid.report;
+  model.plane_count = solid.planes.size();
+  model.volume = solid.volume;
+  model.import_seconds = stopwatch.lap();
+
+  progress("building", 0);
+  const SolidQueries queries(solid);
+  BuildOptions build_options;
+  build_options.rules.max_depth = options.max_depth;
+  build_options.rules.leaf_planes = options.leaf_planes;
+  build_options.progress = [&progress](double fraction) { progress("building", fraction); };
+  BuiltOctree built = build_octree(solid, queries, build_options);
+  model.build_seconds = stopwatch.lap();
+
+  progress("certifying", 0);
+  certify(built, solid, queries);
+  model.certify_seconds = stopwatch.lap();
+
+  model.depth_limited_nodes = built.depth_limited_nodes;
+  model.tree = std::move(built.tree);
+  const auto broken = validate(model.tree, 1);
+  if (!broken.empty()) {
+    throw std::logic_error(mesh.string() + ": the program has built an invalid tree (" +
+                           broken.front() + "): please report this");
+  }
+  return model;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,47 @@
+// A mesh file -> a solid -> a tree with certified levels -> a .spo file's bytes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "common/geometry/tolerances.hpp"
+#include "common/tree/octree.hpp"
+#include "common/wire/stream_info.hpp"
+#include "server/solid/solid.hpp"
+
+namespace spoctree {
+
+/// Above this, merging faces would no longer be about rounding.
+inline constexpr double kLargestFlatTolerance = 0.05;
+
+/// What the user can set.
+struct ModelOptions {
+  std::uint32_t max_depth = kMaxDepth;            ///< 0 to kMaxDepth
+  std::uint32_t leaf_planes = 0;                  ///< see SpRules
+  double flat_tolerance = kDefaultFlatTolerance;  ///< see ImportOptions; to kLargestFlatTolerance
+};
+
+/// What came of a mesh file.
+struct Model {
+  Octree tree;
+  SourceInfo source;
+  SolidReport report;
+  std::size_t plane_count = 0;  ///< of the solid, after merging
+  double volume = 0;            ///< model units cubed
+  std::size_t depth_limited_nodes = 0;
+  double import_seconds = 0;
+  double build_seconds = 0;
+  double certify_seconds = 0;
+};
+
+/// Called with what is being done and the fraction of it that is done.
+using BuildProgress = std::function<void(const char* step, double fraction)>;
+
+/// Reads, judges and builds. The same model for the same file and options, seconds apart. Throws
+/// BadInput as read_mesh and import_solid do.
+Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
+                  const BuildProgress& progress);
+
+}  // namespace spoctree

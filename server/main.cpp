@@ -1,0 +1,73 @@
+// spoctree-server: mesh files -> SP-Octrees -> .spo files -> sockets.
+
+#include <CLI/CLI.hpp>
+
+#include "common/program/run_program.hpp"
+#include "server/commands/build_command.hpp"
+#include "server/commands/info_command.hpp"
+#include "server/commands/serve_command.hpp"
+
+namespace {
+
+using namespace spoctree;
+
+constexpr const char* kMeshFormats = "Mesh files are OFF, OBJ, STL and PLY (text and binary).";
+
+void add_model_options(CLI::App& command, ModelOptions& options) {
+  command
+      .add_option("--max-depth", options.max_depth,
+                  "cells at this depth are leaves whatever they hold; the model stays exact")
+      ->check(CLI::Range(0, kMaxDepth))
+      ->capture_default_str();
+  command
+      .add_option("--leaf-planes", options.leaf_planes,
+                  "cells with at most so many planes are leaves: fewer nodes, longer expressions")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command
+      .add_option("--flat-tolerance", options.flat_tolerance,
+                  "neighbouring faces that are even to so much of the diagonal become one plane")
+      ->check(CLI::Range(0.0, kLargestFlatTolerance))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Builds SP-Octrees from meshes and serves them, level by level.", "spoctree-server");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done, 2 wrong usage, 3 bad input (a file that is not what it should be, or\n"
+      "cannot be read or written), 4 network (the address cannot be listened on).");
+
+  BuildArguments build;
+  CLI::App& build_command = *app.add_subcommand("build", "build a .spo file from a mesh");
+  build_command.add_option("MESH", build.mesh, kMeshFormats)->required();
+  build_command.add_option("-o,--output", build.output, "the .spo file; - is standard output")
+      ->required();
+  add_model_options(build_command, build.options);
+  build_command.callback([&] { run_build(build); });
+
+  ServeArguments serve;
+  CLI::App& serve_command = *app.add_subcommand(
+      "serve", "serve models until SIGTERM; a model is called like its file, without extension");
+  serve_command
+      .add_option("FILE", serve.paths,
+                  ".spo files, meshes (built first), and folders of both (what is not a model in a "
+                  "folder is left out, and said)")
+      ->required();
+  serve_command
+      .add_option("--listen", serve.listen,
+                  "HOST:PORT; port 0 is any free one; a line on standard output says which")
+      ->capture_default_str();
+  add_model_options(serve_command, serve.options);
+  serve_command.callback([&] { run_serve(serve); });
+
+  InfoArguments info;
+  CLI::App& info_command = *app.add_subcommand("info", "say what a .spo file or a mesh holds");
+  info_command.add_option("FILE", info.file, "a .spo file or a mesh")->required();
+  info_command.add_flag("--json", info.as_json, "one JSON object");
+  info_command.callback([&] { run_info(info); });
+
+  return run_program(app, argc, argv);
+}
