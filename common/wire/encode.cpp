@@ -19,7 +19,7 @@ using Sink = std::function<void(std::string_view)>;
 
 constexpr std::size_t kPlaneBytes = 32;
 
-void require_at_most(std::uint64_t count, std::uint64_t limit, const std::string& what) {
+void require_at_most(std::uint64_t count, std::uint64_t limit, const char* what) {
   if (count > limit) {
     throw BadInput("the tree cannot be encoded: " + std::to_string(count) + " " + what +
                    " (at most " + std::to_string(limit) + ")");

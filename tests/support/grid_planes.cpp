@@ -127,4 +127,17 @@ Plane random_plane_exactly_through_line(Random& random, Vec3 point, int point_bi
   throw std::logic_error("no plane found through the line");
 }
 
+Plane nearly_parallel_plane_through(Random& random, const Plane& plane, Vec3 point) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    Plane other = plane;
+    for (int i = 0; i < 3; ++i) {
+      const int change = 4 * random_integer(random, -2, 2);  // a multiple of 4 keeps d an integer
+      other.normal[i] += change / kGrid;
+      other.offset += change * point[i] / kGrid;
+    }
+    if (is_valid(other) && other.normal != plane.normal) return other;
+  }
+  throw std::logic_error("no nearly parallel plane found");
+}
+
 }  // namespace spoctree

@@ -30,4 +30,8 @@ Plane random_plane_exactly_through(Random& random, Vec3 point, int point_bits);
 Plane random_plane_exactly_through_line(Random& random, Vec3 point, int point_bits,
                                         const int (&direction)[3]);
 
+/// A plane that contains `point` (a multiple of 1/4) exactly, as `plane` must, and whose normal
+/// differs from the plane's by some 2^-50 on some axis.
+Plane nearly_parallel_plane_through(Random& random, const Plane& plane, Vec3 point);
+
 }  // namespace spoctree
