@@ -1,10 +1,17 @@
 #include "common/geometry/universe.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "common/base/errors.hpp"
 
 namespace spoctree {
 
 namespace {
+
+// Well inside the scale exponents that is_valid allows.
+constexpr double kSmallestHalfSize = 0x1p-901;
+constexpr double kLargestHalfSize = 0x1p899;
 
 double round_to_grid(double value, int bits) {
   return std::ldexp(std::nearbyint(std::ldexp(value, bits)), -bits);
@@ -19,24 +26,35 @@ Vec3 Universe::to_grid(Vec3 x) const {
 }
 
 Universe universe_around(Vec3 lower, Vec3 upper) {
-  const Vec3 size = upper - lower;
-  const double largest = std::max({size.x, size.y, size.z});
-  // The smallest power of two that is at least the hair-enlarged half side.
+  const Vec3 half_size = 0.5 * upper - 0.5 * lower;  // halved first: the whole may overflow
+  const double largest = std::max({half_size.x, half_size.y, half_size.z});
+  if (!(largest >= kSmallestHalfSize && largest <= kLargestHalfSize)) {
+    throw BadInput("the solid is too " + std::string(largest < 1 ? "small" : "large") +
+                   ": its size is not between 2^-900 and 2^900");
+  }
   constexpr double kHair = 1.0 / 256;
-  const double wanted_half_side = 0.5 * largest * (1 + kHair);
-  int exponent = 0;
-  const double mantissa = std::frexp(wanted_half_side, &exponent);  // in [0.5, 1)
   Universe universe;
-  universe.scale_exponent = exponent;
-  universe.half_side = std::ldexp(std::ceil(std::ldexp(mantissa, kHalfSideBits)), -kHalfSideBits);
+  // The smallest power of two, and the smallest half side, that exceed the wanted half side.
+  const auto grow_beyond = [&](double wanted_half_side) {
+    const double mantissa = std::frexp(wanted_half_side, &universe.scale_exponent);  // in [0.5, 1)
+    universe.half_side =
+        std::ldexp(std::floor(std::ldexp(mantissa, kHalfSideBits)) + 1, -kHalfSideBits);
+  };
+  grow_beyond(largest * (1 + kHair));
   // Off centre by odd fractions of the hair; on a coarse grid, so that the translation of
   // single-precision coordinates is exact.
-  const double step = std::ldexp(1.0, exponent - 24);
-  const Vec3 shift = Vec3{3, 5, 7} * (kHair / 32) * wanted_half_side;
+  const double step = std::ldexp(1.0, universe.scale_exponent - 24);
+  const Vec3 shift = Vec3{3, 5, 7} * (kHair / 32) * largest;
+  double reach = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const double middle = lower[axis] + 0.5 * size[axis];
-    universe.center[axis] = std::nearbyint((middle + shift[axis]) / step) * step;
+    const double middle = lower[axis] + half_size[axis] + shift[axis];
+    const double centre = middle - std::remainder(middle, step);
+    universe.center[axis] = centre;
+    reach = std::max({reach, upper[axis] - centre, centre - lower[axis]});
   }
+  // Far from the origin doubles are so coarse that the centre may miss the middle by more than a
+  // hair.
+  if (reach * (1 + kHair / 4) > largest * (1 + kHair)) grow_beyond(reach * (1 + kHair / 4));
   return universe;
 }
 

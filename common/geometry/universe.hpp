@@ -40,7 +40,8 @@ struct Universe {
   Vec3 to_model(Vec3 y) const { return center + y * scale(); }
   /// The universe coordinates of a model point, rounded to the nearest grid point.
   Vec3 to_grid(Vec3 x) const;
-  /// The universe coordinates of a model point, rounded as doubles are (finer than the grid near 0).
+  /// The universe coordinates of a model point, rounded as doubles are (finer than the grid near
+  /// 0).
   Vec3 to_universe(Vec3 x) const { return (x - center) / scale(); }
 
   bool operator==(const Universe&) const = default;
@@ -49,7 +50,10 @@ struct Universe {
 /// The universe cube of a bounding box: the smallest cube around it, larger by a hair (0.2 % to
 /// 0.5 % of the side) and off centre by less than that hair, so that symmetric solids do not have
 /// their faces and edges exactly in cell walls (that would be correct, but costs nodes).
-/// REQUIRES: finite, lower <= upper, lower != upper.
+/// Where coordinates are so far from the origin that no double lies within a hair of the box's
+/// middle, the cube is as much larger as it takes to contain the box.
+/// Throws BadInput if the box's largest side is not between 2^-900 and 2^900 (0, for example).
+/// REQUIRES: finite, lower <= upper.
 Universe universe_around(Vec3 lower, Vec3 upper);
 
 /// True for the values that `Universe` promises; decoders ask before they trust one.
