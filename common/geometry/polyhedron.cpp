@@ -25,8 +25,7 @@ Polyhedron make_cell(const std::uint32_t (&lower)[3], std::uint32_t size, const 
     for (int axis = 0; axis < 3; ++axis) {
       const bool upper = ((corner >> axis) & 1) != 0;
       vertex.planes[axis] = wall(axis, upper);
-      vertex.position[axis] =
-          wall_coordinate(planes.half_side(), lower[axis] + (upper ? size : 0));
+      vertex.position[axis] = wall_coordinate(planes.half_side(), lower[axis] + (upper ? size : 0));
     }
     cell.vertices.push_back(vertex);
   }
@@ -37,7 +36,8 @@ Polyhedron make_cell(const std::uint32_t (&lower)[3], std::uint32_t size, const 
     for (const bool upper : {false, true}) {
       const auto first = static_cast<std::uint32_t>(cell.corners.size());
       const std::uint32_t base = upper ? 1u << axis : 0u;
-      const std::uint32_t ring[4] = {base, base | 1u << u, base | 1u << u | 1u << v, base | 1u << v};
+      const std::uint32_t ring[4] = {base, base | 1u << u, base | 1u << u | 1u << v,
+                                     base | 1u << v};
       // The edge from ring[k] to ring[k + 1] lies on these walls.
       const PlaneRef across[4] = {wall(v, false), wall(u, true), wall(v, true), wall(u, false)};
       for (int k = 0; k < 4; ++k) {

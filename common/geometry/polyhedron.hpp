@@ -72,7 +72,9 @@ class PolyhedronClipper {
 /// Exact side of a polyhedron's vertex with respect to a plane.
 int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes);
 
-/// Volume in cubed units of universe coordinates, relative error about 1e-13 of the cell it fills.
+/// Volume in cubed units of universe coordinates. Its error is at most about the surface's area
+/// times the largest error of a vertex (at most 2^-45), so it is relative to the surface, not the
+/// volume: 1e-13 of the universe cube, but 1e-4 of a cell of the deepest level.
 double volume(const Polyhedron& polyhedron);
 
 }  // namespace spoctree

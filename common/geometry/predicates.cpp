@@ -1,5 +1,6 @@
 #include "common/geometry/predicates.hpp"
 
+#include <algorithm>
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cassert>
@@ -109,6 +110,11 @@ int side_of_any_point(const Plane& plane, Vec3 point) {
   const double value = glm::dot(plane.normal, point) - plane.offset;
   const double size = std::abs(point.x) + std::abs(point.y) + std::abs(point.z) + 2;
   if (std::abs(value) > size * 0x1p-48) return sign(value);
+  const auto on_grid = [](double x) {
+    const double scaled = x * 0x1p52;
+    return std::abs(x) <= 2 && scaled == std::nearbyint(scaled);
+  };
+  if (on_grid(point.x) && on_grid(point.y) && on_grid(point.z)) return side_of_point(plane, point);
   using Rational = boost::multiprecision::cpp_rational;
   Rational sum = -Rational(plane.offset);
   for (int i = 0; i < 3; ++i) sum += Rational(plane.normal[i]) * Rational(point[i]);
@@ -129,7 +135,8 @@ int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane) {
   const std::int64_t gb[3] = {to_grid_integer(b.x), to_grid_integer(b.y), to_grid_integer(b.z)};
   const GridPlane c = to_grid(crossed);
   const GridPlane g = to_grid(plane);
-  // At a + t (b - a) with t = c(a) / (c(a) - c(b)), plane is [g(b) c(a) - g(a) c(b)] / (c(a) - c(b)).
+  // At a + t (b - a) with t = c(a) / (c(a) - c(b)), plane is [g(b) c(a) - g(a) c(b)] / (c(a) -
+  // c(b)).
   const Int128 ca = evaluate(c, ga);
   const Int128 cb = evaluate(c, gb);
   const Wide numerator = Wide(evaluate(g, gb)) * Wide(ca) - Wide(evaluate(g, ga)) * Wide(cb);
@@ -147,21 +154,26 @@ int orientation_of_normals(const Plane& p, const Plane& q, const Plane& r) {
 }
 
 ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane& r) {
+  constexpr double kUnit = 0x1p-53;  // of rounding
+  const auto largest = [](Vec3 x) {
+    return std::max({std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  };
   const Vec3 qr = glm::cross(q.normal, r.normal);
   const double w = glm::dot(p.normal, qr);
-  if (std::abs(w) > 1.0 / 16) {
+  if (std::abs(w) > 1.0 / 6) {
     const Vec3 rp = glm::cross(r.normal, p.normal);
     const Vec3 pq = glm::cross(p.normal, q.normal);
     const Vec3 x = (p.offset * qr + q.offset * rp + r.offset * pq) / w;
-    // Numerators err by less than 2^-48 and w by less than 2^-50; both are divided by |w|.
-    const double size = std::abs(x.x) + std::abs(x.y) + std::abs(x.z) + 1;
-    return {x, size * 0x1p-47 / std::abs(w)};
+    // Numerators err by less than 28 units and w by less than 7; both are divided by |w|, and the
+    // quotient is rounded. Inside the cube that is at most 241 units, less than 2^-45.
+    const double size = largest(x);
+    return {x, (32 + 8 * size) * kUnit / std::abs(w) + size * kUnit};
   }
   const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
   assert(point.w.sign() > 0);
   const Vec3 x{ratio(point.x[0], point.w), ratio(point.x[1], point.w), ratio(point.x[2], point.w)};
-  const double size = std::abs(x.x) + std::abs(x.y) + std::abs(x.z);
-  return {x, size * 0x1p-50};
+  // Both integers are rounded to doubles limb by limb, and so is their quotient.
+  return {x, 16 * kUnit * largest(x)};
 }
 
 ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed) {
@@ -214,8 +226,7 @@ RoundedLine rounded_line(const Plane& p, const Plane& q) {
   }
   // The moment d_p n_q - d_q n_p is the direction times a point of the line (up to sign).
   for (int i = 0; i < 3; ++i) {
-    const Int128 moment =
-        static_cast<Int128>(gp.d) * gq.n[i] - static_cast<Int128>(gq.d) * gp.n[i];
+    const Int128 moment = static_cast<Int128>(gp.d) * gq.n[i] - static_cast<Int128>(gq.d) * gp.n[i];
     line.coordinates[2 + i] = rounded_ratio(Wide(moment) * turn, denominator, kLineBits);
   }
   return line;

@@ -12,10 +12,11 @@
 namespace spoctree {
 
 /// Sign of normal . point - offset: -1 inside the half-space, 0 on the plane, +1 outside.
-/// REQUIRES: the point is on the grid (it is not checked).
+/// REQUIRES: the point is on the grid, coordinates at most 2^10 in magnitude (it is not checked).
 int side_of_point(const Plane& plane, Vec3 point);
 
-/// The same for any finite doubles, on the grid or not; exact too.
+/// The same for any finite doubles, on the grid or not; exact too. Slow (rational numbers) only
+/// where a point off the grid lies within rounding of the plane.
 int side_of_any_point(const Plane& plane, Vec3 point);
 
 /// Side of the point in which `p`, `q` and `r` meet with respect to `plane`, integers only.
@@ -36,8 +37,8 @@ struct ApproximatePoint {
   double error = 0;
 };
 
-/// The point in which three planes meet. The error is at most 2^-45 unless the point lies outside
-/// the universe cube; ill-conditioned intersections are computed with integers.
+/// The point in which three planes meet. The error is at most 2^-45 unless the point has a
+/// coordinate beyond 1 in magnitude; ill-conditioned intersections are computed with integers.
 /// REQUIRES: the three normals are linearly independent.
 ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane& r);
 
