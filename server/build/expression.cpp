@@ -126,6 +126,28 @@ class ExpressionBuilder {
                                 cutters_[static_cast<std::size_t>(corner.second)].plane, p);
   }
 
+  /// On which sides of a plane a polygon certainly has a part.
+  struct Reach {
+    bool inside = false;
+    bool outside = false;
+  };
+
+  /// The polygon's corners come from the solid's vertices, the planes are those vertices' planes
+  /// rounded to the grid: closer to each other than `doubt_`, the two may disagree, and a part of
+  /// the polygon that nowhere leaves this band is no evidence of material beyond it. (To believe
+  /// such a part is not harmless: all of a region would be labelled by it.)
+  Reach reach_of(const Polygon& polygon, std::uint32_t plane) const {
+    const Plane& p = solid_.planes[plane];
+    Reach reach;
+    for (const Corner& corner : polygon.corners) {
+      const double value = glm::dot(p.normal, corner.position) - p.offset;
+      const double certain = doubt_ + 2 * corner.error;
+      reach.inside |= value < -certain;
+      reach.outside |= value > certain;
+    }
+    return reach;
+  }
+
   /// The corner in which the edge that leaves `from` meets plane `cut`.
   Corner cross(const Corner& from, std::uint32_t polygon_plane, std::int32_t cut) const {
     const Plane& cut_plane = cutters_[static_cast<std::size_t>(cut)].plane;
@@ -192,16 +214,10 @@ class ExpressionBuilder {
       std::size_t outside = 0;
       for (const Polygon& polygon : polygons) {
         if (polygon.plane == plane) continue;
-        bool any_inside = false;
-        bool any_outside = false;
-        for (const Corner& corner : polygon.corners) {
-          const int s = side(corner, polygon.plane, plane);
-          any_inside |= s < 0;
-          any_outside |= s > 0;
-        }
-        cuts += any_inside && any_outside;
-        inside += any_inside;
-        outside += any_outside;
+        const Reach reach = reach_of(polygon, plane);
+        cuts += reach.inside && reach.outside;
+        inside += reach.inside;
+        outside += reach.outside;
       }
       const std::size_t score = 8 * cuts + std::max(inside, outside);
       if (score < best_score) {
@@ -229,22 +245,19 @@ class ExpressionBuilder {
     std::vector<int> sides;
     for (Polygon& polygon : polygons) {
       if (polygon.plane == plane) continue;
-      sides.clear();
-      bool any_inside = false;
-      bool any_outside = false;
-      for (const Corner& corner : polygon.corners) {
-        sides.push_back(side(corner, polygon.plane, plane));
-        any_inside |= sides.back() < 0;
-        any_outside |= sides.back() > 0;
-      }
-      if (any_inside && any_outside) {
+      const Reach reach = reach_of(polygon, plane);
+      if (reach.inside && reach.outside) {
+        sides.clear();
+        for (const Corner& corner : polygon.corners) {
+          sides.push_back(side(corner, polygon.plane, plane));
+        }
         inside.push_back(half(polygon, sides, -1, cut));
         outside.push_back(half(polygon, sides, +1, cut));
-      } else if (any_inside) {
+      } else if (reach.inside) {
         inside.push_back(std::move(polygon));
-      } else if (any_outside) {
+      } else if (reach.outside) {
         outside.push_back(std::move(polygon));
-      }  // else it lies on the plane, by incidence or exactly: nothing is left to tell apart
+      }  // else it lies on the plane: nothing is left to tell apart
     }
     polygons.clear();
     result_.tokens.push_back(token_of(plane));

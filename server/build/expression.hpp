@@ -18,8 +18,9 @@ struct Expression {
 
 /// The expression whose in-cells are the material of a cell, up to the planes of its ancestors.
 /// `boundary` is the cell's clipped boundary; `remaining` are those of its fragments (at least one)
-/// whose planes are not in an ancestor. Splits only by planes of remaining fragments; exact. Small
-/// cells in mind: O(fragments^2) per split.
+/// whose planes are not in an ancestor. Splits only by planes of remaining fragments. What lies
+/// closer to a plane than the planes' own rounding (2^-52, plus the flat tolerance used) is taken
+/// to lie on it: exact up to that rounding. Small cells in mind: O(fragments^2) per split.
 Expression build_expression(const FragmentList& boundary, std::span<const Fragment> remaining,
                             const Solid& solid, const Incidence& incidence);
 
