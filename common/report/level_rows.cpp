@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "common/report/json_text.hpp"
+#include "common/report/text_table.hpp"
 
 namespace spoctree {
 
@@ -14,25 +15,6 @@ namespace {
 std::string short_text(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-using Cells = std::vector<std::string>;
-
-// Every column as wide as its widest cell, numbers to the right.
-std::string align_columns(const std::vector<Cells>& lines) {
-  std::vector<std::size_t> widths(lines.front().size(), 0);
-  for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i < cells.size(); ++i) widths[i] = std::max(widths[i], cells[i].size());
-  }
-  std::string text;
-  for (const Cells& cells : lines) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      text.append(widths[i] - cells[i].size() + (i == 0 ? 0 : 2), ' ');
-      text += cells[i];
-    }
-    text += '\n';
-  }
   return text;
 }
 
@@ -63,14 +45,14 @@ std::vector<LevelRow> level_rows(const Octree& tree, std::span<const LevelBytes>
 }
 
 std::string to_table(std::span<const LevelRow> rows) {
-  Cells headings = {"level", "bytes", "total bytes"};
+  TableRow headings = {"level", "bytes", "total bytes"};
   for (const char* kind : kNodeKindNames) headings.emplace_back(kind);
   for (const char* rest : {"new planes", "references", "error %", "inner volume", "outer volume"})
     headings.emplace_back(rest);
-  std::vector<Cells> lines = {headings};
+  std::vector<TableRow> lines = {headings};
   for (const LevelRow& row : rows) {
-    Cells cells = {std::to_string(row.level), std::to_string(row.cost.bytes),
-                   std::to_string(row.cost.total_bytes)};
+    TableRow cells = {std::to_string(row.level), std::to_string(row.cost.bytes),
+                      std::to_string(row.cost.total_bytes)};
     for (const std::uint32_t count : row.nodes) cells.push_back(std::to_string(count));
     cells.push_back(std::to_string(row.new_planes));
     cells.push_back(std::to_string(row.plane_references));

@@ -102,6 +102,12 @@ void FrameReader::feed(std::string_view bytes) {
   buffer_ += bytes;
 }
 
+std::size_t FrameReader::missing_bytes() const {
+  const std::string_view frame = std::string_view(buffer_).substr(taken_);
+  if (frame.size() < kFrameHeaderBytes) return kFrameHeaderBytes - frame.size();
+  return kFrameHeaderBytes + load<std::uint32_t>(frame, kLengthAt) - frame.size();
+}
+
 std::optional<FrameView> FrameReader::next() {
   auto frame = read_frame(std::string_view(buffer_).substr(taken_), number_, offset_, max_payload_);
   if (frame) {

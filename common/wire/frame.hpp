@@ -68,6 +68,9 @@ class FrameReader {
   std::uint64_t offset() const { return offset_; }
   /// Bytes fed that belong to no frame yet: where a stream ends, not 0 means that it was cut off.
   std::size_t pending_bytes() const { return buffer_.size() - taken_; }
+  /// How many bytes can be fed, at least one, without going beyond the frame that `next` waits for.
+  /// REQUIRES: `next` has just returned nothing.
+  std::size_t missing_bytes() const;
 
  private:
   std::size_t max_payload_;

@@ -1,0 +1,54 @@
+// What each command of spoctree-client needs to know. A source file per command does the work.
+//
+// All of them throw UsageError, BadInput or NetworkError (common/base/errors.hpp).
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "client/source/level_stream.hpp"
+
+namespace spoctree {
+
+struct ListArguments {
+  std::string server;  ///< spo://HOST:PORT
+};
+/// Prints the models of a server.
+void run_list(const ListArguments& arguments);
+
+struct FetchArguments {
+  StreamOptions stream;
+  std::string output;
+  /// Go on where `output` ends, and keep whole levels there when the transmission breaks off.
+  bool resume = false;
+};
+/// Receives a stream, or its first levels, into a .spo file.
+void run_fetch(const FetchArguments& arguments);
+
+struct LevelsArguments {
+  StreamOptions stream;
+  enum class Format { Table, Csv, Json } format = Format::Table;
+};
+/// Prints what each level holds and costs.
+void run_levels(const LevelsArguments& arguments);
+
+struct RebuildArguments {
+  StreamOptions stream;
+  std::string output;  ///< "-": standard output
+};
+/// Writes the boundary of T_k as a polygon mesh.
+void run_rebuild(const RebuildArguments& arguments);
+
+struct DrawArguments {
+  StreamOptions stream;
+  bool all_levels = false;
+  std::string output;  ///< see level_files.hpp
+  std::string from;    ///< "X,Y,Z" towards the viewer; empty: the camera's own choice
+  double crease_angle_deg = 0;
+  std::string format;  ///< "svg", "json"; empty: as the output's extension says, or else svg
+};
+/// Draws T_k, or every T_k while the levels arrive.
+void run_draw(const DrawArguments& arguments);
+
+}  // namespace spoctree

@@ -1,0 +1,22 @@
+#include <algorithm>
+#include <vector>
+
+#include "client/commands/commands.hpp"
+#include "common/program/output.hpp"
+#include "common/report/text_table.hpp"
+#include "common/wire/hash.hpp"
+
+namespace spoctree {
+
+void run_list(const ListArguments& arguments) {
+  const auto models = fetch_catalog(parse_server(arguments.server));
+  std::vector<TableRow> rows = {{"bytes", "levels", "nodes", "planes", "id", "name"}};
+  for (const CatalogEntry& model : models) {
+    rows.push_back({std::to_string(model.byte_count), std::to_string(model.level_count),
+                    std::to_string(model.node_count), std::to_string(model.plane_count),
+                    to_hex(model.model_id), model.name});
+  }
+  print(align_columns(rows));
+}
+
+}  // namespace spoctree

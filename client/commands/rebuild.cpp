@@ -1,0 +1,17 @@
+#include "client/commands/commands.hpp"
+#include "client/rebuild/polygon_mesh.hpp"
+#include "client/rebuild/surface.hpp"
+#include "common/program/output.hpp"
+
+namespace spoctree {
+
+void run_rebuild(const RebuildArguments& arguments) {
+  LevelStream stream(arguments.stream);
+  while (stream.next_level()) {
+  }
+  stream.progress_line().show("rebuilding level " + std::to_string(stream.level()));
+  const Surface surface = rebuild_surface(stream.tree(), stream.level());
+  write_output(arguments.output, to_off(make_polygon_mesh(surface, stream.tree().universe)));
+}
+
+}  // namespace spoctree

@@ -1,0 +1,130 @@
+// spoctree-client: sockets and .spo files -> trees, level by level -> tables, meshes, drawings.
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <string>
+
+#include "client/commands/commands.hpp"
+#include "common/base/errors.hpp"
+#include "common/program/run_program.hpp"
+
+namespace {
+
+using namespace spoctree;
+
+constexpr const char* kFooter =
+    "SOURCE is spo://HOST:PORT/NAME or a .spo file. NAME may be left out where the server has one\n"
+    "model only.\n"
+    "Exit codes: 0 done; 2 wrong usage (also: a level beyond the last one); 3 bad input (a file "
+    "or\n"
+    "a stream is not what it should be, there is no such model or file, a file cannot be "
+    "written);\n"
+    "4 network (no connection, a silent server, a transmission broken off, a server that is busy).";
+
+CLI::App& add_stream_command(CLI::App& app, const char* name, const char* description,
+                             StreamOptions& options) {
+  CLI::App& command = *app.add_subcommand(name, description);
+  command.add_option("SOURCE", options.source, "spo://HOST:PORT/NAME or a .spo file")->required();
+  command
+      .add_option("--rate", options.rate,
+                  "bytes per second, at most: to see how a model arrives over a slow link")
+      ->check(CLI::Range(kLowestRate, std::uint64_t{1} << 40));
+  return command;
+}
+
+std::uint32_t parse_level(const std::string& text) {
+  std::uint32_t level = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), level);
+  if (error != std::errc() || stop != text.data() + text.size() || level >= kMaxLevels)
+    throw UsageError("--level: '" + text + "' should be a number from 0 to " +
+                     std::to_string(kMaxLevels - 1));
+  return level;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Receives SP-Octrees level by level, and shows what has arrived.",
+               "spoctree-client");
+  app.require_subcommand(1);
+  app.footer(kFooter);
+
+  ListArguments list;
+  CLI::App& list_command = *app.add_subcommand("list", "the models of a server");
+  list_command.add_option("SERVER", list.server, "spo://HOST:PORT")->required();
+  list_command.callback([&] { run_list(list); });
+
+  FetchArguments fetch;
+  std::uint32_t fetch_levels = 0;
+  CLI::App& fetch_command =
+      add_stream_command(app, "fetch", "receive a model into a .spo file", fetch.stream);
+  fetch_command
+      .add_option("-o,--output", fetch.output,
+                  "the .spo file; with all levels it is the server's file, byte for byte")
+      ->required();
+  fetch_command.add_option("--levels", fetch_levels, "only the first so many levels")
+      ->check(CLI::Range(std::uint32_t{1}, kMaxLevels));
+  fetch_command.add_flag("--resume", fetch.resume,
+                         "go on after the whole levels that are in the output already; if the "
+                         "transmission breaks off, keep those that have arrived");
+  fetch_command.callback([&] {
+    if (fetch_levels > 0) fetch.stream.last_level = fetch_levels - 1;
+    run_fetch(fetch);
+  });
+
+  LevelsArguments levels;
+  CLI::App& levels_command = add_stream_command(
+      app, "levels", "what each level holds and costs; errors in % of the universe cube's diagonal",
+      levels.stream);
+  bool as_json = false;
+  bool as_csv = false;
+  CLI::Option* const json = levels_command.add_flag("--json", as_json, "one JSON object");
+  levels_command.add_flag("--csv", as_csv, "comma-separated values")->excludes(json);
+  levels_command.callback([&] {
+    if (as_json) levels.format = LevelsArguments::Format::Json;
+    if (as_csv) levels.format = LevelsArguments::Format::Csv;
+    run_levels(levels);
+  });
+
+  RebuildArguments rebuild;
+  std::string rebuild_level;
+  CLI::App& rebuild_command = add_stream_command(
+      app, "rebuild", "the boundary of a level's solid, as a mesh of polygons", rebuild.stream);
+  rebuild_command.add_option("-o,--output", rebuild.output, "an OFF file; - is standard output")
+      ->required();
+  rebuild_command.add_option("--level", rebuild_level, "which level; left out: the last one");
+  rebuild_command.callback([&] {
+    if (!rebuild_level.empty()) rebuild.stream.last_level = parse_level(rebuild_level);
+    run_rebuild(rebuild);
+  });
+
+  DrawArguments draw;
+  std::string draw_level;
+  CLI::App& draw_command = add_stream_command(
+      app, "draw", "a line drawing of a level's solid, hidden lines removed", draw.stream);
+  draw_command
+      .add_option("-o,--output", draw.output,
+                  "one level: a file, or - for standard output; all levels: a folder (files "
+                  "level-00.svg, level-01.svg, ...) or a name with %d or %02d for the level")
+      ->required();
+  draw_command.add_option("--level", draw_level,
+                          "which level, or `all`: each is drawn before the next one is received; "
+                          "left out: the last one");
+  draw_command.add_option("--from", draw.from,
+                          "X,Y,Z: the direction towards the viewer, who sees +Z upwards");
+  draw_command
+      .add_option("--crease-angle", draw.crease_angle_deg,
+                  "leave out inner edges at which the faces turn by less than so many degrees")
+      ->check(CLI::Range(0.0, 180.0));
+  draw_command
+      .add_option("--format", draw.format,
+                  "svg or json; left out: as the output's extension says, or else svg")
+      ->check(CLI::IsMember({"svg", "json"}));
+  draw_command.callback([&] {
+    draw.all_levels = draw_level == "all";
+    if (!draw_level.empty() && !draw.all_levels) draw.stream.last_level = parse_level(draw_level);
+    run_draw(draw);
+  });
+
+  return run_program(app, argc, argv);
+}
