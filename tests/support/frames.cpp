@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "common/base/errors.hpp"
+#include "common/wire/decode.hpp"
 
 namespace spoctree {
 
@@ -15,6 +16,24 @@ std::vector<FrameView> frames_of(std::string_view stream) {
     offset += frame->bytes.size();
   }
   return frames;
+}
+
+std::string complaint_about(std::string_view stream) {
+  try {
+    decode_stream(stream);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Columns<std::string> columns_of(const FrameView& chunk) {
+  Columns<std::string> columns;
+  open_chunk(chunk, [&](const Columns<std::string_view>& view) {
+    columns = {std::string(view.kinds), std::string(view.planes), std::string(view.counts),
+               std::string(view.references), std::string(view.expressions)};
+  });
+  return columns;
 }
 
 namespace {
