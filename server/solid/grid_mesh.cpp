@@ -76,7 +76,7 @@ GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name
     if (collisions++ == 0) first_collision = mesh.place({i});
   }
   if (collisions > 0) {
-    mesh.fail(counted(collisions, "point") + " closer to another point than 2^-53 of the extent, " +
+    mesh.fail(counted(collisions, "point") + " closer to another point than 2^-52 of the extent, " +
               "first at " + first_collision);
   }
   return mesh;

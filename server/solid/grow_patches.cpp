@@ -71,9 +71,11 @@ class Grower {
     return range;
   }
   PlanarPatch grow(std::uint32_t seed, std::uint32_t number);
-  bool join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const;
-  bool is_aligned(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const;
-  void fit(PlanarPatch& patch) const;
+  bool faces_along(const GridPlane& plane, std::uint32_t t) const;
+  bool fits(const PlanarPatch& patch, std::uint32_t t) const;
+  bool is_within(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const;
+  void join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t);
+  PlanarPatch with_mean_normal(const PlanarPatch& patch) const;
 
   std::vector<SolidTriangle>& triangles_;
   const std::vector<GridPoint>& points_;
@@ -90,26 +92,36 @@ std::size_t Grower::count_distinct_planes() const {
   return static_cast<std::size_t>(std::unique(planes.begin(), planes.end()) - planes.begin());
 }
 
-// A sliver between two triangles of the patch is a part of it wherever its normal points.
-bool Grower::is_aligned(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const {
-  if (dot(shapes_[t].plane.normal, patch.plane.normal) >= kSmallestScalarProduct) return true;
-  if (!shapes_[t].is_sliver) return false;
-  const auto& neighbours = triangles_[t].neighbour;
-  return std::count_if(std::begin(neighbours), std::end(neighbours),
-                       [&](std::uint32_t n) { return triangles_[n].facet == number; }) >= 2;
+bool Grower::faces_along(const GridPlane& plane, std::uint32_t t) const {
+  return dot(shapes_[t].plane.normal, plane.normal) >= kSmallestScalarProduct;
 }
 
-// The patch keeps the seed's plane while it grows; it becomes wider, never tilted.
-bool Grower::join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const {
+bool Grower::fits(const PlanarPatch& patch, std::uint32_t t) const {
   HeightRange range = patch.range;
   range.add(heights(patch.plane, t));
+  return range.spread() <= most_spread_;
+}
+
+// A sliver belongs to the patch wherever its normal points, if two of its neighbours do.
+bool Grower::is_within(const PlanarPatch& patch, std::uint32_t number, std::uint32_t t) const {
+  const auto& neighbours = triangles_[t].neighbour;
+  return std::count_if(std::begin(neighbours), std::end(neighbours), [&](std::uint32_t n) {
+           return triangles_[n].facet == number ||
+                  (triangles_[n].facet == kNone && faces_along(patch.plane, n) && fits(patch, n));
+         }) >= 2;
+}
+
+void Grower::join(PlanarPatch& patch, std::uint32_t number, std::uint32_t t) {
   if (shapes_[t].plane != patch.plane) {
-    if (most_spread_ == 0 || range.spread() > most_spread_) return false;
-    if (!is_aligned(patch, number, t)) return false;
+    if (most_spread_ == 0 || !fits(patch, t)) return;
+    if (!faces_along(patch.plane, t) && !(shapes_[t].is_sliver && is_within(patch, number, t))) {
+      return;
+    }
     patch.is_exact = false;
   }
-  patch.range = range;
-  return true;
+  patch.range.add(heights(patch.plane, t));
+  triangles_[t].facet = number;
+  reached_.push_back(t);
 }
 
 PlanarPatch Grower::grow(std::uint32_t seed, std::uint32_t number) {
@@ -118,42 +130,47 @@ PlanarPatch Grower::grow(std::uint32_t seed, std::uint32_t number) {
   patch.range = heights(patch.plane, seed);
   triangles_[seed].facet = number;
   reached_.assign(1, seed);
-  for (std::size_t i = 0; i < reached_.size(); ++i) {
-    for (const std::uint32_t n : triangles_[reached_[i]].neighbour) {
-      if (triangles_[n].facet != kNone || !join(patch, number, n)) continue;
-      triangles_[n].facet = number;
-      reached_.push_back(n);
+  for (std::size_t fitted = 0;;) {
+    for (std::size_t i = 0; i < reached_.size(); ++i) {
+      for (const std::uint32_t n : triangles_[reached_[i]].neighbour) {
+        if (triangles_[n].facet == kNone) join(patch, number, n);
+      }
     }
+    // The seed's own noise tilts its plane; the mean one may reach farther. Rounds that add little
+    // are the last, so that all rounds together are linear.
+    if (patch.is_exact || 8 * reached_.size() < 9 * fitted) break;
+    fitted = reached_.size();
+    const PlanarPatch mean = with_mean_normal(patch);
+    if (mean.range.spread() > most_spread_) break;
+    patch = mean;
   }
-  fit(patch);
-  return patch;
+  const PlanarPatch mean = with_mean_normal(patch);
+  if (patch.is_exact || mean.range.spread() >= patch.range.spread()) {
+    patch.area = mean.area;
+    return patch;
+  }
+  return mean;
 }
 
-// Takes the mean normal instead of the seed's where that brings the corners nearer to the plane.
-void Grower::fit(PlanarPatch& patch) const {
-  if (reached_.size() == 1) {
-    patch.area = shapes_[reached_[0]].area;
-    return;
-  }
+// The patch that the reached triangles make with the mean of their normals, weighted by areas.
+PlanarPatch Grower::with_mean_normal(const PlanarPatch& patch) const {
   long double sum[3] = {0, 0, 0};
   for (const std::uint32_t t : reached_) {
     for (std::size_t i = 0; i < 3; ++i) {
       sum[i] += static_cast<long double>(shapes_[t].area_vector[i]);
     }
   }
-  patch.area = 0.5 *
-               length_of(static_cast<double>(sum[0]), static_cast<double>(sum[1]),
-                         static_cast<double>(sum[2])) *
-               0x1p-104;
-  if (patch.is_exact || (sum[0] == 0 && sum[1] == 0 && sum[2] == 0)) return;
-  GridPlane mean;
-  mean.normal = round_direction(sum[0], sum[1], sum[2]);
-  HeightRange range;
-  for (const std::uint32_t t : reached_) range.add(heights(mean, t));
-  if (range.spread() >= patch.range.spread()) return;
-  mean.offset = offset_above(range.highest);
-  patch.plane = mean;
-  patch.range = range;
+  PlanarPatch mean = patch;
+  mean.area = 0.5 *
+              length_of(static_cast<double>(sum[0]), static_cast<double>(sum[1]),
+                        static_cast<double>(sum[2])) *
+              0x1p-104;
+  if (patch.is_exact || mean.area == 0) return mean;
+  mean.plane.normal = round_direction(sum[0], sum[1], sum[2]);
+  mean.range = HeightRange{};
+  for (const std::uint32_t t : reached_) mean.range.add(heights(mean.plane, t));
+  mean.plane.offset = offset_above(mean.range.highest);
+  return mean;
 }
 
 std::vector<PlanarPatch> Grower::grow_all() {

@@ -24,7 +24,7 @@ void reject_self_intersections(const GridMesh& mesh, const BoxTree& boxes) {
   mesh.fail("self-intersecting: " +
             (found.count == kMostSelfIntersections ? std::string("at least ") : std::string()) +
             counted(found.count, "pair") + " of triangles meet" +
-            (is_by_rounding ? " once points are rounded to 2^-53 of the extent" : "") +
+            (is_by_rounding ? " once points are rounded to 2^-52 of the extent" : "") +
             ", first at " + mesh.place(mesh.triangles[found.first[0]]) + " and " +
             mesh.place(mesh.triangles[found.first[1]]));
 }

@@ -213,7 +213,7 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
   }
   if (vanishing.count > 0) {
     mesh.fail("degenerate: " + counted(vanishing.count, "triangle") +
-              " thinner than 2^-53 of the extent, first at " + vanishing.first_place);
+              " thinner than 2^-52 of the extent, first at " + vanishing.first_place);
   }
 }
 
