@@ -1,7 +1,8 @@
 // The boundary of T_k, rebuilt from the tree's planes alone: a closed polygon mesh and its creases.
 //
 // Pieces (walk_pieces) -> their faces as signed polygons per plane, what two pieces share cancelled
-// -> a chain of edges per plane -> loops, faces, creases. See chain.hpp for why it is always closed.
+// -> a chain of edges per plane -> loops, faces, creases. See chain.hpp for why it is always
+// closed.
 #pragma once
 
 #include <cstdint>
@@ -13,15 +14,16 @@
 namespace spoctree {
 
 /// A closed, oriented surface of plane faces. Every directed edge of a loop is met by as many
-/// opposite ones. Vertices in universe coordinates (Universe::to_model turns them into the model's).
+/// opposite ones. Vertices in universe coordinates (Universe::to_model turns them into the
+/// model's).
 struct Surface {
   /// A cycle of distinct vertices: `count` (>= 3) entries of `loop_vertices` from `first` on.
   struct Loop {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
   };
-  /// A connected plane region. Its first loop is the outer one, counter-clockwise seen from outside;
-  /// the others are holes, clockwise. Loops of one face may touch in vertices, not cross.
+  /// A connected plane region. Its first loop is the outer one, counter-clockwise seen from
+  /// outside; the others are holes, clockwise. Loops of one face may touch in vertices, not cross.
   struct Face {
     PlaneRef plane;  ///< normal outwards: a plane of the table or a cell wall, either way round
     std::uint32_t first_loop = 0;
@@ -59,10 +61,10 @@ struct Surface {
   }
 };
 
-/// The boundary of T_level; levels beyond the tree mean its last level. The combinatorics are closed
-/// whatever the rounding; vertices closer than kWeldTolerance are one vertex, and features thinner
-/// than that may vanish. Neither cell walls nor splits of a node leave an edge in a flat face, and
-/// an edge that runs straight through many cells is one edge. Same tree, same bytes.
+/// The boundary of T_level; levels beyond the tree mean its last level. The combinatorics are
+/// closed whatever the rounding; vertices closer than kWeldTolerance are one vertex, and features
+/// thinner than that may vanish. Neither cell walls nor splits of a node leave an edge in a flat
+/// face, and an edge that runs straight through many cells is one edge. Same tree, same bytes.
 /// REQUIRES: a valid tree (validate.hpp). Throws std::logic_error, naming the place, if the result
 /// is not closed (a bug). Time and memory O(pieces) as a rule.
 Surface rebuild_surface(const Octree& tree, std::uint32_t level = static_cast<std::uint32_t>(-1));

@@ -1,0 +1,154 @@
+#include "client/rebuild/region_sides.hpp"
+
+#include <algorithm>
+
+namespace spoctree {
+
+namespace {
+
+/// Half-edge 2 i runs along edge i, 2 i + 1 against it. `left` is the value to its left.
+class PlaneValues {
+ public:
+  PlaneValues(std::span<const CountedEdge> edges, const PlaneFrame& frame,
+              std::span<const Vec3> positions)
+      : edges_(edges), frame_(frame), positions_(positions) {
+    sort_around_vertices();
+    left_.assign(half_edges(), 0);
+    part_.assign(half_edges(), kNoPart);
+    std::uint32_t parts = 0;
+    for (std::uint32_t h = 0; h < half_edges(); ++h) {
+      if (part_[h] == kNoPart) spread(h, parts++);
+    }
+    const std::vector<std::uint32_t> extremes = find_extremes(parts);
+    std::vector<std::int32_t> base(parts);
+    for (std::uint32_t part = 0; part < parts; ++part) {
+      // Around the vertex with the smallest x, the widest sector faces -x.
+      base[part] = value_outside(part, extremes[part]) - left_[extremes[part]];
+    }
+    for (std::uint32_t h = 0; h < half_edges(); ++h) left_[h] += base[part_[h]];
+  }
+
+  std::int32_t left(std::uint32_t half_edge) const { return left_[half_edge]; }
+
+ private:
+  static constexpr auto kNoPart = static_cast<std::uint32_t>(-1);
+
+  std::uint32_t half_edges() const { return static_cast<std::uint32_t>(2 * edges_.size()); }
+  std::uint32_t origin(std::uint32_t h) const {
+    const PlaneEdge& edge = edges_[h / 2].edge;
+    return h % 2 == 0 ? edge.from : edge.to;
+  }
+  std::int32_t count(std::uint32_t h) const {
+    return h % 2 == 0 ? edges_[h / 2].count : -edges_[h / 2].count;
+  }
+  Vec2 point(std::uint32_t h) const { return frame_.project(positions_[origin(h)]); }
+
+  void sort_around_vertices() {
+    struct Ray {
+      std::uint32_t origin;
+      double angle;
+      std::uint32_t half_edge;
+      auto operator<=>(const Ray&) const = default;
+    };
+    std::vector<Ray> rays;
+    for (std::uint32_t h = 0; h < half_edges(); ++h) {
+      // Angles from -x on, so that the first and the last ray enclose the direction -x.
+      rays.push_back({origin(h), pseudo_angle(point(h) - point(h ^ 1u)), h});
+    }
+    std::sort(rays.begin(), rays.end());
+    next_.resize(rays.size());
+    previous_.resize(rays.size());
+    is_last_.assign(rays.size(), false);
+    for (std::size_t begin = 0, end = 0; begin < rays.size(); begin = end) {
+      while (end < rays.size() && rays[end].origin == rays[begin].origin) ++end;
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::size_t j = i + 1 == end ? begin : i + 1;
+        next_[rays[i].half_edge] = rays[j].half_edge;
+        previous_[rays[j].half_edge] = rays[i].half_edge;
+      }
+      is_last_[rays[end - 1].half_edge] = true;
+    }
+  }
+
+  /// Numbers a connected part and finds its values relative to the first half-edge's.
+  void spread(std::uint32_t start, std::uint32_t part) {
+    std::vector<std::uint32_t> open{start};
+    part_[start] = part;
+    const auto reach = [&](std::uint32_t h, std::int32_t value) {
+      if (part_[h] != kNoPart) return;
+      part_[h] = part;
+      left_[h] = value;
+      open.push_back(h);
+    };
+    while (!open.empty()) {
+      const std::uint32_t h = open.back();
+      open.pop_back();
+      const std::int32_t right = left_[h] - count(h);
+      reach(h ^ 1u, right);
+      reach(previous_[h], right);
+      reach(next_[h], left_[h] + count(next_[h]));
+    }
+  }
+
+  /// Per part, the last half-edge around its vertex of smallest x: to its left is the outside.
+  std::vector<std::uint32_t> find_extremes(std::uint32_t parts) const {
+    std::vector<std::uint32_t> extremes(parts, kNoPart);
+    for (std::uint32_t h = 0; h < half_edges(); ++h) {
+      if (!is_last_[h]) continue;
+      std::uint32_t& best = extremes[part_[h]];
+      const auto less = [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
+      if (best == kNoPart || less(point(h), point(best))) best = h;
+    }
+    return extremes;
+  }
+
+  /// The value around a part: what the other parts enclose, along a ray from -x.
+  std::int32_t value_outside(std::uint32_t part, std::uint32_t extreme) const {
+    const Vec2 p = point(extreme);
+    std::int32_t value = 0;
+    for (std::uint32_t h = 0; h < half_edges(); h += 2) {
+      if (part_[h] == part) continue;
+      const Vec2 a = point(h);
+      const Vec2 b = point(h ^ 1u);
+      if ((a.y <= p.y) == (b.y <= p.y)) continue;
+      const bool is_right_of_edge = (cross(b - a, p - a) < 0) == (b.y > a.y);
+      if (is_right_of_edge) value += b.y > a.y ? -count(h) : count(h);
+    }
+    return value;
+  }
+
+  std::span<const CountedEdge> edges_;
+  const PlaneFrame& frame_;
+  std::span<const Vec3> positions_;
+  std::vector<std::uint32_t> next_, previous_;  // around the origin, counter-clockwise
+  std::vector<bool> is_last_;
+  std::vector<std::int32_t> left_;
+  std::vector<std::uint32_t> part_;
+};
+
+}  // namespace
+
+void separate_sides(std::span<const CountedEdge> edges, const PlaneFrame& frame,
+                    std::span<const Vec3> positions, std::vector<PlaneEdge>& front,
+                    std::vector<PlaneEdge>& back) {
+  front.clear();
+  back.clear();
+  const PlaneValues values(edges, frame, positions);
+  const auto add = [](std::vector<PlaneEdge>& list, PlaneEdge edge, std::int32_t times) {
+    for (std::int32_t i = 0; i < times; ++i) list.push_back(edge);
+  };
+  bool is_consistent = true;
+  for (std::uint32_t i = 0; i < edges.size(); ++i) {
+    const std::int32_t left = values.left(2 * i);
+    const std::int32_t right = values.left(2 * i + 1);
+    is_consistent &= left - right == edges[i].count;
+    add(front, edges[i].edge, std::max(left, 0) - std::max(right, 0));
+    add(back, edges[i].edge, std::max(-right, 0) - std::max(-left, 0));
+  }
+  if (is_consistent) return;
+  front.clear();
+  back.clear();
+  for (const CountedEdge& edge : edges) add(front, edge.edge, edge.count);
+}
+
+}  // namespace spoctree
