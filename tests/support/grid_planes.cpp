@@ -140,4 +140,37 @@ Plane nearly_parallel_plane_through(Random& random, const Plane& plane, Vec3 poi
   throw std::logic_error("no nearly parallel plane found");
 }
 
+Plane random_degenerate_plane(Random& random, Vec3 centre, double half_side,
+                              const std::vector<Plane>& older) {
+  Vec3 point = centre;
+  for (int i = 0; i < 3; ++i) point[i] += half_side * random_integer(random, -1, 1);
+  const Plane plane = [&] {
+    switch (random.below(5)) {
+      case 0:
+        return random_plane_exactly_through(random, point, 7);
+      case 1: {
+        int direction[3] = {0, 0, 0};
+        while (direction[0] == 0 && direction[1] == 0 && direction[2] == 0) {
+          for (int& component : direction) component = random_integer(random, -1, 1);
+        }
+        return random_plane_exactly_through_line(random, point, 7, direction);
+      }
+      case 2: {
+        Plane wall;
+        const int axis = random_integer(random, 0, 2);
+        wall.normal[axis] = 1;
+        wall.offset = point[axis];
+        return wall;
+      }
+      case 3:
+        if (!older.empty()) return older[random.below(static_cast<std::uint32_t>(older.size()))];
+        [[fallthrough]];
+      default:
+        return grid_plane_through(random_direction(random),
+                                  centre + random_vector(random, half_side));
+    }
+  }();
+  return random.chance(0.5) ? plane : plane.flipped();
+}
+
 }  // namespace spoctree

@@ -1,6 +1,8 @@
 // Planes and points of the grid for tests: at random, and through given points and lines exactly.
 #pragma once
 
+#include <vector>
+
 #include "common/geometry/plane.hpp"
 #include "tests/support/random.hpp"
 
@@ -33,5 +35,12 @@ Plane random_plane_exactly_through_line(Random& random, Vec3 point, int point_bi
 /// A plane that contains `point` (a multiple of 1/4) exactly, as `plane` must, and whose normal
 /// differs from the plane's by some 2^-50 on some axis.
 Plane nearly_parallel_plane_through(Random& random, const Plane& plane, Vec3 point);
+
+/// A plane that meets a cell's corners, edges, diagonals and other planes exactly: through one of
+/// the 27 points where corners, edge, face and cell centres lie, or a line through one, or in a
+/// wall or a middle wall, or one of `older`, either way round; or a random plane through the cell.
+/// REQUIRES: centre and half side of the cell are multiples of 2^-7.
+Plane random_degenerate_plane(Random& random, Vec3 centre, double half_side,
+                              const std::vector<Plane>& older);
 
 }  // namespace spoctree
