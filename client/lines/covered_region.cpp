@@ -13,18 +13,8 @@ constexpr int kDeepestPartition = 800;
 
 /// Where an outline is smaller than this fraction of the uncovered space around it, or has more
 /// edges than this there, the space is halved first: that keeps partitions balanced.
-constexpr double kSmallOutline = 0.25;
+constexpr double kSmallOutline = 0.3;
 constexpr std::size_t kManyEdges = 8;
-
-Rectangle cut(Rectangle rectangle, Vec2 normal, double offset, bool positive) {
-  // Only the lines that halve tiles (and outline edges that happen to be like them) are used.
-  for (int axis = 0; axis < 2; ++axis) {
-    if (normal[axis] != 1) continue;
-    double& limit = positive ? rectangle.lower[axis] : rectangle.upper[axis];
-    limit = positive ? std::max(limit, offset) : std::min(limit, offset);
-  }
-  return rectangle;
-}
 
 }  // namespace
 
@@ -52,15 +42,6 @@ CoveredRegion::Line CoveredRegion::boundary(int axis, std::uint32_t column) cons
   line.normal[axis] = 1;
   line.offset = lower_[axis] + column * tile_size_;
   return line;
-}
-
-Rectangle CoveredRegion::rectangle_of(const Tiles& tiles) const {
-  Rectangle rectangle;
-  for (int axis = 0; axis < 2; ++axis) {
-    rectangle.lower[axis] = boundary(axis, tiles.lower[axis]).offset;
-    rectangle.upper[axis] = boundary(axis, tiles.upper[axis]).offset;
-  }
-  return rectangle;
 }
 
 CoveredRegion::Tiles CoveredRegion::tiles_touched(const Rectangle& rectangle) const {
@@ -91,17 +72,25 @@ bool CoveredRegion::is_full(const Rectangle& rectangle) const {
 void CoveredRegion::mark_full(const Tiles& tiles) {
   for (std::uint32_t row = tiles.lower[1]; row < tiles.upper[1]; ++row) {
     for (std::uint32_t column = tiles.lower[0]; column < tiles.upper[0]; ++column) {
-      roots_[std::size_t{row} * tiles_per_side_ + column] = kCovered;
+      Child& root = roots_[std::size_t{row} * tiles_per_side_ + column];
+      free_partition(root);
+      root = kCovered;
       full_[std::size_t{row} * words_per_row_ + column / 64] |= std::uint64_t{1} << (column % 64);
     }
   }
+}
+
+void CoveredRegion::free_partition(Child child) {
+  if (child < 0) return;
+  free_partition(nodes_[static_cast<std::size_t>(child)].negative);
+  free_partition(nodes_[static_cast<std::size_t>(child)].positive);
+  free_nodes_.push_back(child);
 }
 
 // --- Covering ------------------------------------------------------------------------------------
 
 void CoveredRegion::cover(std::span<const Vec2> polygon) {
   corners_.clear();
-  edges_.clear();
   for (const Vec2 at : polygon) {
     if (corners_.empty() || glm::distance(corners_.back().at, at) > tolerance_) {
       corners_.push_back({at, static_cast<std::int32_t>(corners_.size())});
@@ -113,13 +102,17 @@ void CoveredRegion::cover(std::span<const Vec2> polygon) {
   }
   if (corners_.size() < 3) return;
   Rectangle box{corners_[0].at, corners_[0].at};
+  for (const Corner& corner : corners_) {
+    box.lower = glm::min(box.lower, corner.at);
+    box.upper = glm::max(box.upper, corner.at);
+  }
+  if (is_full(box)) return;
+  edges_.clear();
   for (std::size_t k = 0; k < corners_.size(); ++k) {
     const Vec2 from = corners_[k].at;
     const Vec2 along = corners_[k + 1 == corners_.size() ? 0 : k + 1].at - from;
     const Vec2 normal = Vec2{-along.y, along.x} / glm::length(along);
     edges_.push_back({normal, glm::dot(normal, from)});
-    box.lower = glm::min(box.lower, from);
-    box.upper = glm::max(box.upper, from);
   }
   cover_tiles(tiles_touched(box), {0, corners_.size()});
 }
@@ -128,20 +121,18 @@ void CoveredRegion::split(Polygon polygon, const Line& line, Polygon& negative, 
   negative = positive = {};
   bool any_negative = false;
   bool any_positive = false;
+  distances_.resize(polygon.count + 1);
   for (std::size_t k = 0; k < polygon.count; ++k) {
     const double distance = line(corners_[polygon.first + k].at);
     any_negative |= distance < -tolerance_;
     any_positive |= distance > tolerance_;
+    distances_[k] = distance;
   }
-  const auto corner_after = [&](std::size_t k) {
-    return corners_[polygon.first + (k + 1 == polygon.count ? 0 : k + 1)];
-  };
+  distances_[polygon.count] = distances_[0];
   if (any_negative != any_positive) {
     for (std::size_t k = 0; k < polygon.count; ++k) {
-      Corner& corner = corners_[polygon.first + k];
-      if (std::abs(line(corner.at)) <= tolerance_ &&
-          std::abs(line(corner_after(k).at)) <= tolerance_) {
-        corner.edge = kNoEdge;
+      if (std::abs(distances_[k]) <= tolerance_ && std::abs(distances_[k + 1]) <= tolerance_) {
+        corners_[polygon.first + k].edge = kNoEdge;
       }
     }
     (any_negative ? negative : positive) = polygon;
@@ -153,9 +144,8 @@ void CoveredRegion::split(Polygon polygon, const Line& line, Polygon& negative, 
     part.first = corners_.size();
     for (std::size_t k = 0; k < polygon.count; ++k) {
       const Corner corner = corners_[polygon.first + k];
-      const Corner next = corner_after(k);
-      const double here = sign * line(corner.at);
-      const double there = sign * line(next.at);
+      const double here = sign * distances_[k];
+      const double there = sign * distances_[k + 1];
       if (here > tolerance_ || (here >= -tolerance_ && there > tolerance_)) {
         corners_.push_back(corner);
       } else if (here >= -tolerance_) {
@@ -163,10 +153,8 @@ void CoveredRegion::split(Polygon polygon, const Line& line, Polygon& negative, 
       }
       if ((here > tolerance_ && there < -tolerance_) ||
           (here < -tolerance_ && there > tolerance_)) {
-        // Computed from the same end for both parts and both ways round.
-        const Vec2 a = (here > 0) == (sign > 0) ? corner.at : next.at;
-        const Vec2 b = (here > 0) == (sign > 0) ? next.at : corner.at;
-        const Vec2 at = a + (b - a) * (line(a) / (line(a) - line(b)));
+        const Vec2 next = corners_[polygon.first + (k + 1 == polygon.count ? 0 : k + 1)].at;
+        const Vec2 at = corner.at + (next - corner.at) * (here / (here - there));
         corners_.push_back({at, here > 0 ? kNoEdge : corner.edge});
       }
     }
@@ -206,36 +194,39 @@ void CoveredRegion::cover_tiles(const Tiles& tiles, Polygon polygon) {
 void CoveredRegion::cover_tile(std::uint32_t column, std::uint32_t row, Polygon polygon) {
   Child& root = roots_[std::size_t{row} * tiles_per_side_ + column];
   if (root == kCovered) return;
-  // Edges along the tile's own sides must not split it.
-  for (const Line& side :
-       {boundary(0, column), boundary(0, column + 1), boundary(1, row), boundary(1, row + 1)}) {
+  // The tile's sides are where the path begins. Edges along them must not split it.
+  path_ = {{boundary(0, column), 1},
+           {boundary(0, column + 1), -1},
+           {boundary(1, row), 1},
+           {boundary(1, row + 1), -1}};
+  for (const HalfPlane& side : path_) {
     for (std::size_t k = 0; k < polygon.count; ++k) {
       Corner& corner = corners_[polygon.first + k];
       const Corner& next = corners_[polygon.first + (k + 1 == polygon.count ? 0 : k + 1)];
-      if (std::abs(side(corner.at)) <= tolerance_ && std::abs(side(next.at)) <= tolerance_) {
+      if (std::abs(side.line(corner.at)) <= tolerance_ &&
+          std::abs(side.line(next.at)) <= tolerance_) {
         corner.edge = kNoEdge;
       }
     }
   }
-  const Tiles tile{{column, row}, {column + 1, row + 1}};
-  root = cover_node(root, polygon, rectangle_of(tile), 0);
-  if (root == kCovered) mark_full(tile);
+  root = cover_node(root, polygon);
+  if (root == kCovered) mark_full({{column, row}, {column + 1, row + 1}});
 }
 
-CoveredRegion::Child CoveredRegion::cover_node(Child child, Polygon polygon, Rectangle around,
-                                               int depth) {
+CoveredRegion::Child CoveredRegion::cover_node(Child child, Polygon polygon) {
   if (child == kCovered || polygon.count < 3) return child;
-  if (child == kUncovered) return cover_leaf(polygon, around, depth);
+  if (child == kUncovered) return cover_leaf(polygon);
   const auto index = static_cast<std::size_t>(child);
   const Line line = nodes_[index].line;
   const std::size_t mark = corners_.size();
   Polygon negative;
   Polygon positive;
   split(polygon, line, negative, positive);
-  const Child below = cover_node(nodes_[index].negative, negative,
-                                 cut(around, line.normal, line.offset, false), depth + 1);
-  const Child above = cover_node(nodes_[index].positive, positive,
-                                 cut(around, line.normal, line.offset, true), depth + 1);
+  path_.push_back({line, -1});
+  const Child below = cover_node(nodes_[index].negative, negative);
+  path_.back().sign = 1;
+  const Child above = cover_node(nodes_[index].positive, positive);
+  path_.pop_back();
   corners_.resize(mark);
   if (below == kCovered && above == kCovered) {
     free_nodes_.push_back(child);
@@ -246,8 +237,8 @@ CoveredRegion::Child CoveredRegion::cover_node(Child child, Polygon polygon, Rec
   return child;
 }
 
-CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon, Rectangle around, int depth) {
-  if (depth > kDeepestPartition) return kUncovered;
+CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon) {
+  if (path_.size() > kDeepestPartition) return kUncovered;
   Rectangle box{corners_[polygon.first].at, corners_[polygon.first].at};
   std::size_t edge_count = 0;
   for (std::size_t k = 0; k < polygon.count; ++k) {
@@ -256,15 +247,19 @@ CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon, Rectangle around
     box.upper = glm::max(box.upper, corner.at);
     if (corner.edge != kNoEdge) ++edge_count;
   }
-  const Vec2 space = around.upper - around.lower;
-  const Vec2 size = box.upper - box.lower;
-  const int axis = space.x >= space.y ? 0 : 1;
-  const bool is_small = std::max(size.x, size.y) < kSmallOutline * space[axis];
-  if ((is_small || edge_count > kManyEdges) && space[axis] > 64 * tolerance_) {
-    Line middle;
-    middle.normal[axis] = 1;
-    middle.offset = 0.5 * (around.lower[axis] + around.upper[axis]);
-    return cover_node(new_node(middle), polygon, around, depth);
+  if (edge_count == 0) return kCovered;
+  const double size = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
+  if (size < kSmallOutline * tile_size_ || edge_count > kManyEdges) {
+    const Rectangle extent = extent_of_leaf();
+    const Vec2 space = extent.upper - extent.lower;
+    const int axis = space.x >= space.y ? 0 : 1;
+    if ((size < kSmallOutline * space[axis] || edge_count > kManyEdges) &&
+        space[axis] > 64 * tolerance_) {
+      Line middle;
+      middle.normal[axis] = 1;
+      middle.offset = 0.5 * (extent.lower[axis] + extent.upper[axis]);
+      return cover_node(new_node(middle), polygon);
+    }
   }
   Child inside = kCovered;
   for (std::size_t k = 0; k < polygon.count; ++k) {
@@ -275,6 +270,34 @@ CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon, Rectangle around
     inside = node;
   }
   return inside;
+}
+
+Rectangle CoveredRegion::extent_of_leaf() {
+  // The tile, cut by what lies on the way down; the first four half-planes are its sides.
+  region_.assign(1, {path_[0].line.offset, path_[2].line.offset});
+  region_.push_back({path_[1].line.offset, path_[2].line.offset});
+  region_.push_back({path_[1].line.offset, path_[3].line.offset});
+  region_.push_back({path_[0].line.offset, path_[3].line.offset});
+  for (std::size_t k = 4; k < path_.size(); ++k) {
+    cut_region_.clear();
+    for (std::size_t i = 0; i < region_.size(); ++i) {
+      const Vec2 a = region_[i];
+      const Vec2 b = region_[i + 1 == region_.size() ? 0 : i + 1];
+      const double at_a = path_[k].sign * path_[k].line(a);
+      const double at_b = path_[k].sign * path_[k].line(b);
+      if (at_a >= 0) cut_region_.push_back(a);
+      if ((at_a < 0) != (at_b < 0)) cut_region_.push_back(a + (b - a) * (at_a / (at_a - at_b)));
+    }
+    std::swap(region_, cut_region_);
+  }
+  Rectangle extent;
+  if (region_.empty()) return extent;
+  extent = {region_.front(), region_.front()};
+  for (const Vec2 corner : region_) {
+    extent.lower = glm::min(extent.lower, corner);
+    extent.upper = glm::max(extent.upper, corner);
+  }
+  return extent;
 }
 
 CoveredRegion::Child CoveredRegion::new_node(const Line& line) {

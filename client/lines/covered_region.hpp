@@ -46,6 +46,10 @@ class CoveredRegion {
     double offset = 0;
     double operator()(Vec2 p) const { return glm::dot(normal, p) - offset; }
   };
+  struct HalfPlane {
+    Line line;
+    double sign = 1;  ///< the half-plane in which sign * line >= 0
+  };
   /// Nodes name their children; leaves are kUncovered or kCovered.
   using Child = std::int32_t;
   static constexpr Child kUncovered = -1;
@@ -78,15 +82,16 @@ class CoveredRegion {
 
   std::uint32_t column_of(double coordinate, int axis) const;
   Line boundary(int axis, std::uint32_t column) const;
-  Rectangle rectangle_of(const Tiles& tiles) const;
   Tiles tiles_touched(const Rectangle& rectangle) const;
 
   void split(Polygon polygon, const Line& line, Polygon& negative, Polygon& positive);
   void cover_tiles(const Tiles& tiles, Polygon polygon);
   void cover_tile(std::uint32_t column, std::uint32_t row, Polygon polygon);
   void mark_full(const Tiles& tiles);
-  Child cover_node(Child child, Polygon polygon, Rectangle around, int depth);
-  Child cover_leaf(Polygon polygon, Rectangle around, int depth);
+  void free_partition(Child child);
+  Child cover_node(Child child, Polygon polygon);
+  Child cover_leaf(Polygon polygon);
+  Rectangle extent_of_leaf();
   Child new_node(const Line& line);
 
   void look_at_tiles(const Sight& sight, const Tiles& tiles, Interval part, LineSides sides);
@@ -106,7 +111,11 @@ class CoveredRegion {
   std::vector<Node> nodes_;
   std::vector<Child> free_nodes_;
   std::vector<Corner> corners_;
+  std::vector<double> distances_;
   std::vector<Line> edges_;  // of the outline being added, positive inside
+  std::vector<Vec2> region_;
+  std::vector<Vec2> cut_region_;
+  std::vector<HalfPlane> path_;  // from the tile to the node being worked on
 };
 
 }  // namespace spoctree
