@@ -6,22 +6,18 @@
 #include <cassert>
 #include <glm/geometric.hpp>
 
+#include "common/geometry/int256.hpp"
+
 namespace spoctree {
 
 namespace {
-
-__extension__ using Int128 = __int128;
-using Wide = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<
-    320, 320, boost::multiprecision::signed_magnitude, boost::multiprecision::unchecked, void>>;
 
 struct GridPlane {
   std::int64_t n[3];
   std::int64_t d;
 };
 
-std::int64_t to_grid_integer(double value) {
-  return static_cast<std::int64_t>(std::ldexp(value, kGridBits));
-}
+std::int64_t to_grid_integer(double value) { return static_cast<std::int64_t>(value * 0x1p52); }
 
 GridPlane to_grid(const Plane& plane) {
   return {{to_grid_integer(plane.normal.x), to_grid_integer(plane.normal.y),
@@ -51,8 +47,8 @@ std::array<Int128, 3> cross(const GridPlane& p, const GridPlane& q) {
 
 /// The intersection of three planes as x[i] / w: real coordinates, exact.
 struct Homogeneous {
-  Wide x[3];
-  Wide w;
+  Int256 x[3];
+  Int256 w;
 };
 
 Homogeneous intersect(const GridPlane& p, const GridPlane& q, const GridPlane& r) {
@@ -61,32 +57,42 @@ Homogeneous intersect(const GridPlane& p, const GridPlane& q, const GridPlane& r
   const auto pq = cross(p, q);
   Homogeneous point;
   for (int i = 0; i < 3; ++i) {
-    point.w += Wide(qr[i]) * p.n[i];
-    point.x[i] = Wide(qr[i]) * p.d + Wide(rp[i]) * q.d + Wide(pq[i]) * r.d;
+    point.w += Int256(qr[i]) * p.n[i];
+    point.x[i] = Int256(qr[i]) * p.d;
+    point.x[i] += Int256(rp[i]) * q.d;
+    point.x[i] += Int256(pq[i]) * r.d;
   }
   if (point.w.sign() < 0) {
     point.w = -point.w;
-    for (Wide& x : point.x) x = -x;
+    for (Int256& x : point.x) x = -x;
   }
   return point;
 }
 
-double ratio(const Wide& numerator, const Wide& denominator) {
-  return numerator.convert_to<double>() / denominator.convert_to<double>();
-}
-
-/// floor(numerator * 2^bits / denominator); the denominator is positive.
-std::int64_t rounded_ratio(const Wide& numerator, const Wide& denominator, int bits) {
-  const Wide scaled = abs(numerator) << bits;
-  Wide quotient;
-  Wide remainder;
-  divide_qr(scaled, denominator, quotient, remainder);
-  auto value = quotient.convert_to<std::int64_t>();
-  if (numerator.sign() < 0) {
-    value = -value;
-    if (!remainder.is_zero()) --value;
-  }
-  return value;
+/// floor(numerator * 2^bits / denominator); the denominator is positive, the result fits.
+std::int64_t rounded_ratio(const Int256& numerator, const Int256& denominator, int bits) {
+  const int sign_of_numerator = numerator.sign();
+  if (sign_of_numerator == 0) return 0;
+  // Usually the rounding is not in doubt: the quotient errs by less than 2^-59 of itself.
+  const long double quotient =
+      std::ldexp(numerator.to_long_double() / denominator.to_long_double(), bits);
+  const long double doubt = std::abs(quotient) * 0x1p-59L;
+  const long double lower = std::floor(quotient - doubt);
+  if (lower == std::floor(quotient + doubt)) return static_cast<std::int64_t>(lower);
+  using boost::multiprecision::cpp_int;
+  const auto magnitude = [](const Int256& value) {
+    cpp_int result = 0;
+    const auto limbs = (value.sign() < 0 ? -value : value).limbs();
+    for (std::size_t i = limbs.size(); i-- > 0;) result = (result << 64) | limbs[i];
+    return result;
+  };
+  cpp_int exact;
+  cpp_int remainder;
+  divide_qr(cpp_int(magnitude(numerator) << static_cast<unsigned>(bits)), magnitude(denominator),
+            exact, remainder);
+  const auto value = exact.convert_to<std::int64_t>();
+  if (sign_of_numerator > 0) return value;
+  return remainder.is_zero() ? -value : -value - 1;
 }
 
 // normal . point - offset in doubles, for |normal| <= 1, |point| <= 2, |offset| <= 2: four
@@ -110,11 +116,25 @@ int side_of_any_point(const Plane& plane, Vec3 point) {
   const double value = glm::dot(plane.normal, point) - plane.offset;
   const double size = std::abs(point.x) + std::abs(point.y) + std::abs(point.z) + 2;
   if (std::abs(value) > size * 0x1p-48) return sign(value);
-  const auto on_grid = [](double x) {
-    const double scaled = x * 0x1p52;
-    return std::abs(x) <= 2 && scaled == std::nearbyint(scaled);
-  };
-  if (on_grid(point.x) && on_grid(point.y) && on_grid(point.z)) return side_of_point(plane, point);
+  // The nearest grid point is evaluated exactly, in units of 2^-104; the rest of the point, at most
+  // half a grid step per axis, in doubles.
+  if (size <= 0x1p10) {
+    std::int64_t grid_point[3];
+    double rest = 0;
+    for (int i = 0; i < 3; ++i) {
+      const double scaled = point[i] * 0x1p52;
+      const double rounded = std::nearbyint(scaled);
+      grid_point[i] = static_cast<std::int64_t>(rounded);
+      rest += plane.normal[i] * 0x1p52 * (scaled - rounded);
+    }
+    const Int128 at_grid_point = evaluate(to_grid(plane), grid_point);
+    if (rest == 0) return sign(at_grid_point);
+    // |rest| < 2^53 and errs by less than 4.
+    if (at_grid_point > Int128{1} << 54) return 1;
+    if (at_grid_point < -(Int128{1} << 54)) return -1;
+    const double sum = static_cast<double>(at_grid_point) + rest;
+    if (std::abs(sum) > 64) return sign(sum);
+  }
   using Rational = boost::multiprecision::cpp_rational;
   Rational sum = -Rational(plane.offset);
   for (int i = 0; i < 3; ++i) sum += Rational(plane.normal[i]) * Rational(point[i]);
@@ -125,7 +145,7 @@ int side_of_intersection(const Plane& p, const Plane& q, const Plane& r, const P
   const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
   assert(point.w.sign() > 0);
   const GridPlane g = to_grid(plane);
-  Wide value = point.w * -g.d;
+  Int256 value = point.w * -g.d;
   for (int i = 0; i < 3; ++i) value += point.x[i] * g.n[i];
   return value.sign();
 }
@@ -139,7 +159,8 @@ int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane) {
   // c(b)).
   const Int128 ca = evaluate(c, ga);
   const Int128 cb = evaluate(c, gb);
-  const Wide numerator = Wide(evaluate(g, gb)) * Wide(ca) - Wide(evaluate(g, ga)) * Wide(cb);
+  Int256 numerator = Int256(evaluate(g, gb)) * ca;
+  numerator += -(Int256(evaluate(g, ga)) * cb);
   return ca > cb ? numerator.sign() : -numerator.sign();
 }
 
@@ -148,8 +169,8 @@ int orientation_of_normals(const Plane& p, const Plane& q, const Plane& r) {
   if (std::abs(value) > kSideError) return sign(value);
   const GridPlane g = to_grid(p);
   const auto qr = cross(to_grid(q), to_grid(r));
-  Wide w = 0;
-  for (int i = 0; i < 3; ++i) w += Wide(qr[i]) * g.n[i];
+  Int256 w;
+  for (int i = 0; i < 3; ++i) w += Int256(qr[i]) * g.n[i];
   return w.sign();
 }
 
@@ -171,9 +192,12 @@ ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane&
   }
   const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
   assert(point.w.sign() > 0);
-  const Vec3 x{ratio(point.x[0], point.w), ratio(point.x[1], point.w), ratio(point.x[2], point.w)};
-  // Both integers are rounded to doubles limb by limb, and so is their quotient.
-  return {x, 16 * kUnit * largest(x)};
+  const long double exact_w = point.w.to_long_double();
+  Vec3 x;
+  for (int i = 0; i < 3; ++i) {
+    x[i] = static_cast<double>(point.x[i].to_long_double() / exact_w);
+  }
+  return {x, 2 * kUnit * largest(x)};
 }
 
 ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed) {
@@ -217,17 +241,17 @@ RoundedLine rounded_line(const Plane& p, const Plane& q) {
   }
   assert(direction[axis] != 0);
   const int turn = direction[axis] < 0 ? -1 : 1;
-  const Wide denominator = Wide(magnitude(direction[axis]));
+  const Int256 denominator = magnitude(direction[axis]);
   RoundedLine line;
   line.axis = axis;
   for (int k = 1; k < 3; ++k) {
     line.coordinates[k - 1] =
-        rounded_ratio(Wide(direction[(axis + k) % 3]) * turn, denominator, kLineBits);
+        rounded_ratio(direction[(axis + k) % 3] * turn, denominator, kLineBits);
   }
   // The moment d_p n_q - d_q n_p is the direction times a point of the line (up to sign).
   for (int i = 0; i < 3; ++i) {
     const Int128 moment = static_cast<Int128>(gp.d) * gq.n[i] - static_cast<Int128>(gq.d) * gp.n[i];
-    line.coordinates[2 + i] = rounded_ratio(Wide(moment) * turn, denominator, kLineBits);
+    line.coordinates[2 + i] = rounded_ratio(moment * turn, denominator, kLineBits);
   }
   return line;
 }

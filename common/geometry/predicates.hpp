@@ -16,7 +16,7 @@ namespace spoctree {
 int side_of_point(const Plane& plane, Vec3 point);
 
 /// The same for any finite doubles, on the grid or not; exact too. Slow (rational numbers) only
-/// where a point off the grid lies within rounding of the plane.
+/// where a point off the grid lies within 2^-98 of the plane.
 int side_of_any_point(const Plane& plane, Vec3 point);
 
 /// Side of the point in which `p`, `q` and `r` meet with respect to `plane`, integers only.

@@ -61,7 +61,8 @@ bool is_valid(const Universe& universe);
 
 /// The coordinate of wall `index` (0 .. 2^kMaxDepth) in universe coordinates: exact.
 inline double wall_coordinate(double half_side, std::uint32_t index) {
-  return half_side * (std::ldexp(static_cast<double>(index), 1 - kMaxDepth) - 1.0);
+  static_assert(kMaxDepth == 30);
+  return half_side * (static_cast<double>(index) * 0x1p-29 - 1.0);
 }
 
 }  // namespace spoctree
