@@ -12,9 +12,9 @@ namespace spoctree {
 
 /// Collects bytes in a temporary file beside `path`; `commit` flushes and renames it over `path`.
 /// Destroyed without `commit`, the temporary file is removed and `path` is as it was before. Where
-/// `path` is a device or a pipe there is nothing to replace: it is written as it stands.
-/// Throws BadInput (naming the path and the system's reason) when the file cannot be created,
-/// written or renamed.
+/// `path` is a device or a pipe there is nothing to replace: it is written as it stands. Where it
+/// is a symbolic link, the file that it points to is replaced, and the link stays. Throws BadInput
+/// (naming the path and the system's reason) when the file cannot be created, written or renamed.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -26,8 +26,9 @@ class AtomicFile {
   void commit();
 
  private:
-  std::filesystem::path path_;
-  std::filesystem::path temporary_;
+  std::filesystem::path path_;       ///< as given
+  std::filesystem::path target_;     ///< the same with links followed
+  std::filesystem::path temporary_;  ///< beside the target
   std::optional<TemporaryName> temporary_name_;
   std::FILE* file_ = nullptr;
 };
