@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <deque>
-#include <glm/geometric.hpp>
+#include <utility>
+
+#include "common/geometry/predicates.hpp"
+#include "common/tree/expression.hpp"
 
 namespace spoctree {
 
@@ -23,11 +26,12 @@ class Walker {
         planes_(tree.plane_set()),
         last_level_(std::min<std::size_t>(options.level, tree.levels.size() - 1)),
         viewpoint_(options.viewpoint),
+        inner_nodes_only_(options.inner_nodes_only),
         visitor_(visitor) {}
 
   void walk() {
     const NodeAddress root;
-    if (tree_.levels[0].kinds[0] == NodeKind::White) return;
+    if (!is_wanted(tree_.levels[0].kinds[0])) return;
     Polyhedron& region = scratch();
     region = make_cell(root.lower, root.size(), planes_);
     visit(root, region);
@@ -46,9 +50,10 @@ class Walker {
     return clipper_.clip(polyhedron, plane, planes_) != ClipResult::Empty;
   }
 
+  /// Exact: one wrong order next to a viewer in a plane could hide anything behind it.
   bool viewer_is_outside(PlaneRef ref) const {
     const Plane plane = planes_[ref];
-    return glm::dot(plane.normal, viewpoint_->xyz) - plane.offset * viewpoint_->w > 0;
+    return side_of_any_point({plane.normal, plane.offset * viewpoint_->w}, viewpoint_->xyz) > 0;
   }
 
   /// `region` may be clipped further: the caller is done with it.
@@ -68,13 +73,12 @@ class Walker {
         if (clip_all(region, planes)) emit(address, kind, region);
         break;
       case NodeKind::Concave:
-        visit_union(address, region, planes);
+        visit_expression(address, kind, region, planes,
+                         union_of(static_cast<std::uint32_t>(planes.size())).data());
         break;
-      case NodeKind::Vertex: {
-        const std::uint32_t* token = level.expression_of(address.index).data();
-        visit_expression(address, region, planes, token);
+      case NodeKind::Vertex:
+        visit_expression(address, kind, region, planes, level.expression_of(address.index).data());
         break;
-      }
       case NodeKind::Grey:
         if (!clip_all(region, planes)) break;
         if (address.level == last_level_) {
@@ -98,76 +102,79 @@ class Walker {
     });
   }
 
-  /// Splits by the middle walls of z, then y, then x, near halves first.
-  void visit_children(const NodeAddress& parent, std::uint32_t first_child,
-                      const Polyhedron& region, int axis, std::uint32_t octant) {
-    const Level& children = tree_.levels[parent.level + 1];
+  bool is_wanted(NodeKind kind) const {
+    return inner_nodes_only_ ? kind == NodeKind::Grey : kind != NodeKind::White;
+  }
+
+  /// Splits by the middle walls of z, then y, then x, near halves first. `octant` has the bits of
+  /// the axes split so far. `region` may be clipped further.
+  void visit_children(const NodeAddress& parent, std::uint32_t first_child, Polyhedron& region,
+                      int axis, std::uint32_t octant) {
     if (axis < 0) {
-      if (children.kinds[first_child + octant] == NodeKind::White) return;
-      Polyhedron& copy = scratch();
-      copy = region;
-      visit(parent.child(first_child, octant), copy);
-      release();
+      visit(parent.child(first_child, octant), region);
       return;
     }
+    const std::uint32_t bit = 1u << static_cast<unsigned>(axis);
+    const auto kinds = tree_.levels[parent.level + 1].kinds.begin() + first_child;
     const PlaneRef middle = PlaneRef::of_wall(axis, parent.lower[axis] + parent.size() / 2);
     const std::uint32_t near = viewpoint_ && viewer_is_outside(middle) ? 1 : 0;
     for (const std::uint32_t half : {near, 1 - near}) {
+      const std::uint32_t first = octant | half * bit;
+      if (std::none_of(kinds + first, kinds + first + bit,
+                       [&](NodeKind kind) { return is_wanted(kind); })) {
+        continue;
+      }
       Polyhedron& part = scratch();
       part = region;
       if (clip(part, half == 1 ? middle.flipped() : middle)) {
-        visit_children(parent, first_child, part, axis - 1,
-                       octant | half << static_cast<unsigned>(axis));
+        visit_children(parent, first_child, part, axis - 1, first);
       }
       release();
     }
   }
 
-  /// The union of half-spaces h1, h2, ...: h1, else h2, ... . Disjoint pieces by splitting.
-  void visit_union(const NodeAddress& address, Polyhedron& region,
-                   std::span<const std::uint32_t> planes) {
-    if (planes.empty()) return;
-    const PlaneRef plane = PlaneRef::of_table(planes.front());
-    split(region, plane, [&](Polyhedron& part, bool inside) {
-      if (inside) {
-        emit(address, NodeKind::Concave, part);
+  /// The in-cells of an expression, by splitting the region. A stack of its own instead of
+  /// recursion: there are as many splits within each other as the node has planes.
+  void visit_expression(const NodeAddress& address, NodeKind kind, const Polyhedron& region,
+                        std::span<const std::uint32_t> planes, const std::uint32_t* expression) {
+    // The polyhedra of the parts that are still to be visited are the last ones in use, and the
+    // nearest of them is on top.
+    const std::size_t bottom = open_parts_.size();
+    scratch() = region;
+    open_parts_.push_back(expression);
+    while (open_parts_.size() > bottom) {
+      Polyhedron& part = storage_[used_ - 1];
+      const std::uint32_t* const token = open_parts_.back();
+      if (*token < kFirstPlaneToken) {
+        if (*token == kInToken) emit(address, kind, part);
+        open_parts_.pop_back();
+        release();
+        continue;
+      }
+      const PlaneRef plane = PlaneRef::of_table(planes[*token - kFirstPlaneToken]);
+      const bool outside_first = viewpoint_ && viewer_is_outside(plane);
+      const std::uint32_t* near_token = token + 1;
+      const std::uint32_t* far_token = skip_expression(near_token);
+      PlaneRef near_side = plane;
+      if (outside_first) {
+        std::swap(near_token, far_token);
+        near_side = plane.flipped();
+      }
+      Polyhedron& near_part = scratch();
+      near_part = part;
+      const bool has_near_part = clip(near_part, near_side);
+      const bool has_far_part = clip(part, near_side.flipped());
+      if (has_far_part) {
+        open_parts_.back() = far_token;
       } else {
-        visit_union(address, part, planes.subspan(1));
+        std::swap(part, near_part);
+        open_parts_.back() = near_token;
       }
-    });
-  }
-
-  void visit_expression(const NodeAddress& address, Polyhedron& region,
-                        std::span<const std::uint32_t> planes, const std::uint32_t* token) {
-    if (*token == kOutToken) return;
-    if (*token == kInToken) {
-      emit(address, NodeKind::Vertex, region);
-      return;
-    }
-    const PlaneRef plane = PlaneRef::of_table(planes[*token - kFirstPlaneToken]);
-    const std::uint32_t* inside_token = token + 1;
-    const std::uint32_t* outside_token = skip_expression(inside_token);
-    split(region, plane, [&](Polyhedron& part, bool inside) {
-      visit_expression(address, part, planes, inside ? inside_token : outside_token);
-    });
-  }
-
-  static const std::uint32_t* skip_expression(const std::uint32_t* token) {
-    for (std::size_t wanted = 1; wanted > 0; ++token) {
-      wanted = *token < kFirstPlaneToken ? wanted - 1 : wanted + 1;
-    }
-    return token;
-  }
-
-  /// Calls `visit_part(part, is_inside)` for the two parts that have an interior, near one first.
-  template <class VisitPart>
-  void split(const Polyhedron& region, PlaneRef plane, VisitPart&& visit_part) {
-    const bool outside_first = viewpoint_ && viewer_is_outside(plane);
-    for (const bool inside : {!outside_first, outside_first}) {
-      Polyhedron& part = scratch();
-      part = region;
-      if (clip(part, inside ? plane : plane.flipped())) visit_part(part, inside);
-      release();
+      if (has_near_part && has_far_part) {
+        open_parts_.push_back(near_token);
+      } else {
+        release();
+      }
     }
   }
 
@@ -175,10 +182,12 @@ class Walker {
   const PlaneSet planes_;
   const std::size_t last_level_;
   const std::optional<Viewpoint> viewpoint_;
+  const bool inner_nodes_only_;
   PieceVisitor& visitor_;
   PolyhedronClipper clipper_;
   std::deque<Polyhedron> storage_;  // a deque: references stay valid while it grows
   std::size_t used_ = 0;
+  std::vector<const std::uint32_t*> open_parts_;  // where their expressions go on
   std::uint32_t part_ = 0;
 };
 

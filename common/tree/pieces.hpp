@@ -26,7 +26,7 @@ struct NodeAddress {
 };
 
 /// Where the picture is seen from, in universe coordinates: a point (w = 1), or for a parallel
-/// projection the direction towards the viewer (w = 0).
+/// projection the direction towards the viewer (w = 0). Any finite doubles; no other w.
 struct Viewpoint {
   Vec3 xyz{0.0};
   double w = 0;
@@ -56,6 +56,8 @@ struct WalkOptions {
   /// If set, nodes and pieces come in front-to-back order: whatever can hide a piece comes before
   /// it (Veenstra and Ahuja 1988, section 3, with convex pieces in place of cubes).
   std::optional<Viewpoint> viewpoint;
+  /// Passes over the leaves, at the cost of the GREY nodes alone.
+  bool inner_nodes_only = false;
 };
 
 /// Visits the pieces of T_level. O(nodes), each a few clips of a small polyhedron.

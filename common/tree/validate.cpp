@@ -1,6 +1,7 @@
 #include "common/tree/validate.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace spoctree {
 
@@ -33,6 +34,12 @@ bool columns_match(const Level& level) {
   return level.first_child.size() == level.kinds.size() &&
          offsets_match(level.reference_begin, level.references.size()) &&
          offsets_match(level.token_begin, level.tokens.size());
+}
+
+bool is_plausible(const LevelStatement& statement) {
+  const auto is_size = [](double value) { return std::isfinite(value) && value >= 0; };
+  return is_size(statement.error_bound) && is_size(statement.inner_volume) &&
+         is_size(statement.outer_volume);
 }
 
 /// The planes of a node's ancestors, kept as a mark per plane while the tree is walked.
@@ -111,18 +118,25 @@ std::vector<std::string> validate(const Octree& tree, std::size_t limit) {
       findings.add("plane " + std::to_string(i) + " is not a unit normal and offset on the grid");
     }
   }
+  // What walks the tree recursively, the check of ancestors too, relies on links and depth.
+  bool linked = true;
   if (tree.levels.size() > static_cast<std::size_t>(kMaxDepth) + 1) {
     findings.add("more than " + std::to_string(kMaxDepth + 1) + " levels");
+    linked = false;
   }
   std::uint64_t expected_size = 1;
   std::uint32_t seen = 0;
-  bool linked = true;
   for (std::size_t depth = 0; depth < tree.levels.size(); ++depth) {
     const Level& level = tree.levels[depth];
     if (level.kinds.size() != expected_size) {
       findings.add("level " + std::to_string(depth) + ": " + std::to_string(level.kinds.size()) +
                    " nodes where " + std::to_string(expected_size) + " belong");
       linked = false;
+    } else if (level.kinds.empty()) {
+      findings.add("level " + std::to_string(depth) + ": no nodes");
+    }
+    if (!is_plausible(level.statement)) {
+      findings.add("level " + std::to_string(depth) + ": an error bound or a volume that is none");
     }
     if (!columns_match(level)) {
       findings.add("level " + std::to_string(depth) + ": columns of different lengths");
