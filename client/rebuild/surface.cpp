@@ -8,7 +8,7 @@
 #include "client/rebuild/contacts.hpp"
 #include "client/rebuild/face_builder.hpp"
 #include "client/rebuild/radix_sort.hpp"
-#include "client/rebuild/vertex_positions.hpp"
+#include "client/rebuild/settle_vertices.hpp"
 #include "common/geometry/tolerances.hpp"
 
 namespace spoctree {
@@ -81,12 +81,17 @@ Surface rebuild_surface(const Octree& tree, std::uint32_t level) {
   LineUses lines = collect_line_uses(tree, level, carriers, welder);
   Chain chain = subdivide_lines(lines.uses, carriers.count(), welder.vertices());
   join_straight_edges(chain, welder.vertices().size());
-  resolve_contacts(chain, carriers, welder);
-  join_straight_edges(chain, welder.vertices().size());
-  std::vector<Vec3> positions = best_positions(chain, carriers, welder);
+  // Each may leave work for the other; in practice the second round finds nothing.
+  constexpr int kMaxRounds = 4;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const bool settled = !settle_vertices(chain, carriers, welder);
+    if (round > 0 && settled) break;
+    resolve_contacts(chain, carriers, welder);
+    join_straight_edges(chain, welder.vertices().size());
+  }
   Surface surface;
-  build_faces(chain, carriers, lines.sides, positions, surface);
-  drop_unused_vertices(surface, positions);
+  build_faces(chain, carriers, lines.sides, welder.vertices(), surface);
+  drop_unused_vertices(surface, welder.vertices());
   find_edges(surface);
   return surface;
 }

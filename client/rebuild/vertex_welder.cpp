@@ -70,7 +70,6 @@ std::uint32_t VertexWelder::weld(Vec3 point) {
   if (found != kEmpty) return found;
   const auto id = static_cast<std::uint32_t>(vertices_.size());
   vertices_.push_back(point);
-  if (2 * vertices_.size() > slots_.size()) grow();
   insert(point, id);
   return id;
 }
@@ -84,7 +83,19 @@ void VertexWelder::weld(std::span<const Vec3> points, std::vector<std::uint32_t>
   for (const Vec3 point : points) ids.push_back(weld(point));
 }
 
+void VertexWelder::move(std::uint32_t vertex, Vec3 point) {
+  const Vec3 step = point - vertices_[vertex];
+  vertices_[vertex] = point;
+  // A small step leaves the vertex within reach of its old entry.
+  if (glm::dot(step, step) > 1e-6 * tolerance_ * tolerance_) insert(point, vertex);
+}
+
 void VertexWelder::insert(Vec3 point, std::uint32_t id) {
+  if (2 * ++filled_ > slots_.size()) grow();
+  place(point, id);
+}
+
+void VertexWelder::place(Vec3 point, std::uint32_t id) {
   std::size_t i =
       slot_of({cell_coordinate(point.x), cell_coordinate(point.y), cell_coordinate(point.z)});
   while (slots_[i].id != kEmpty) i = (i + 1) & (slots_.size() - 1);
@@ -95,7 +106,7 @@ void VertexWelder::grow() {
   std::vector<Slot> old(2 * slots_.size());
   old.swap(slots_);
   for (const Slot& slot : old) {
-    if (slot.id != kEmpty) insert(slot.point, slot.id);
+    if (slot.id != kEmpty) place(slot.point, slot.id);
   }
 }
 

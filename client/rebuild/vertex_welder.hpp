@@ -21,6 +21,9 @@ class VertexWelder {
   /// The same for several points; faster, because it does not wait for each of them.
   void weld(std::span<const Vec3> points, std::vector<std::uint32_t>& ids);
 
+  /// Gives a vertex a better position; points near the old one still become this vertex.
+  void move(std::uint32_t vertex, Vec3 point);
+
   const std::vector<Vec3>& vertices() const { return vertices_; }
   double tolerance() const { return tolerance_; }
 
@@ -34,10 +37,12 @@ class VertexWelder {
   std::size_t slot_of(const std::int64_t (&cell)[3]) const;
   std::uint32_t find_in_cell(const std::int64_t (&cell)[3], Vec3 point, double& best) const;
   void insert(Vec3 point, std::uint32_t id);
+  void place(Vec3 point, std::uint32_t id);
   void grow();
 
   double tolerance_;
-  std::vector<Slot> slots_;
+  std::vector<Slot> slots_;  // a power of two, at most half filled
+  std::size_t filled_ = 0;
   std::vector<Vec3> vertices_;
 };
 

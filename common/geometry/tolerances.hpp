@@ -13,6 +13,13 @@ inline constexpr double kDefaultFlatTolerance = 1e-12;
 /// the solid meet, once rounded to the grid, in a cluster of vertices far smaller than this.
 inline constexpr double kWeldTolerance = 1e-10;
 
+/// Planes around a rebuilt vertex that pass within this of a point meet in it.
+inline constexpr double kMeetingTolerance = 1e-12;
+
+/// The ends of rebuilt edges shorter than this are examined: if all planes around them meet in one
+/// point, they are one vertex (nearly parallel planes spread a vertex wider than kWeldTolerance).
+inline constexpr double kShortEdge = 1e-6;
+
 /// In the picture plane, points nearer to a line than this count as on it (fraction of the
 /// universe cube's diagonal): outlines of neighbouring pieces share edges up to rounding only.
 inline constexpr double kPictureTolerance = 1e-10;
