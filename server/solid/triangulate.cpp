@@ -63,7 +63,7 @@ double unevenness(Face face, const std::vector<Vec3>& vertices, Vec3 normal) {
   return largest;
 }
 
-// The faces's corners seen along an axis, so that it runs counter-clockwise: dropping a coordinate
+// The face's corners seen along an axis, so that it runs counter-clockwise: dropping a coordinate
 // rounds nothing.
 std::vector<Point2> view(Face face, const std::vector<Vec3>& vertices, int axis, bool from_below) {
   const int u = (axis + (from_below ? 2 : 1)) % 3;
