@@ -54,26 +54,36 @@ Polyhedron make_cell(const std::uint32_t (&lower)[3], std::uint32_t size, const 
   return cell;
 }
 
-int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes) {
-  const PlaneRef carrier = plane.carrier();
+namespace {
+
+/// side_of_vertex for a plane that is at hand.
+int side_of(const PolyhedronVertex& vertex, PlaneRef carrier, const Plane& plane,
+            const PlaneSet& planes) {
+  const double value = glm::dot(plane.normal, vertex.position) - plane.offset;
+  // The rounding of this expression, plus the vertex's own error seen along a unit normal.
+  if (std::abs(value) > 0x1p-47 + 2 * vertex.error) return value > 0 ? 1 : -1;
   for (const PlaneRef own : vertex.planes) {
     if (own.carrier() == carrier) return 0;
   }
-  const Plane p = planes[plane];
-  const double value = glm::dot(p.normal, vertex.position) - p.offset;
-  // The rounding of this expression, plus the vertex's own error seen along a unit normal.
-  if (std::abs(value) > 0x1p-47 + 2 * vertex.error) return value > 0 ? 1 : -1;
   return side_of_intersection(planes[vertex.planes[0]], planes[vertex.planes[1]],
-                              planes[vertex.planes[2]], p);
+                              planes[vertex.planes[2]], plane);
+}
+
+}  // namespace
+
+int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes) {
+  return side_of(vertex, plane.carrier(), planes[plane], planes);
 }
 
 ClipResult PolyhedronClipper::clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes) {
   const std::size_t vertex_count = polyhedron.vertices.size();
+  const Plane coefficients = planes[plane];
   side_.resize(vertex_count);
   bool any_inside = false;
   bool any_outside = false;
   for (std::size_t i = 0; i < vertex_count; ++i) {
-    side_[i] = static_cast<signed char>(side_of_vertex(polyhedron.vertices[i], plane, planes));
+    side_[i] = static_cast<signed char>(
+        side_of(polyhedron.vertices[i], plane.carrier(), coefficients, planes));
     any_inside |= side_[i] < 0;
     any_outside |= side_[i] > 0;
   }
@@ -100,7 +110,7 @@ ClipResult PolyhedronClipper::clip(Polyhedron& polyhedron, PlaneRef plane, const
       if (c.from == from && c.to == to) return c.vertex;
     }
     const auto vertex = static_cast<std::uint32_t>(result_.vertices.size());
-    const ApproximatePoint point = intersection_point(planes[face], planes[across], planes[plane]);
+    const ApproximatePoint point = intersection_point(planes[face], planes[across], coefficients);
     result_.vertices.push_back({point.position, point.error, {face, across, plane}});
     created_.push_back({from, to, vertex});
     return vertex;

@@ -174,6 +174,8 @@ int orientation_of_normals(const Plane& p, const Plane& q, const Plane& r) {
   return w.sign();
 }
 
+using LongVec3 = glm::vec<3, long double>;
+
 ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane& r) {
   constexpr double kUnit = 0x1p-53;  // of rounding
   const auto largest = [](Vec3 x) {
@@ -189,6 +191,21 @@ ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane&
     // quotient is rounded. Inside the cube that is at most 241 units, less than 2^-45.
     const double size = largest(x);
     return {x, (32 + 8 * size) * kUnit / std::abs(w) + size * kUnit};
+  }
+  // The same with 64 bits: errors of 2^-64 times the constants above, so |w| may be 2^11 times
+  // smaller at no loss.
+  if (std::abs(w) > 0x1p-12) {
+    const LongVec3 np(p.normal);
+    const LongVec3 nq(q.normal);
+    const LongVec3 nr(r.normal);
+    const LongVec3 long_qr = glm::cross(nq, nr);
+    const long double long_w = glm::dot(np, long_qr);
+    const auto offset = [](const Plane& plane) { return static_cast<long double>(plane.offset); };
+    const Vec3 x((offset(p) * long_qr + offset(q) * glm::cross(nr, np) +
+                  offset(r) * glm::cross(np, nq)) /
+                 long_w);
+    const double size = largest(x);
+    return {x, (32 + 8 * size) * kUnit * 0x1p-11 / (std::abs(w) - 7 * kUnit) + 2 * size * kUnit};
   }
   const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
   assert(point.w.sign() > 0);

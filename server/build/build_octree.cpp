@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "server/build/cell_volume.hpp"
 #include "server/build/corner_states.hpp"
 
 namespace spoctree {
@@ -14,6 +15,7 @@ class Builder {
  public:
   Builder(const Solid& solid, const SolidQueries& queries, const BuildOptions& options)
       : solid_(solid),
+        queries_(queries),
         options_(options),
         incidence_(solid),
         sides_(solid, incidence_),
@@ -52,11 +54,15 @@ class Builder {
     if (levels.size() <= cell.depth) {
       levels.resize(cell.depth + 1);
       result_.witnesses.resize(cell.depth + 1);
+      result_.leaf_volumes.resize(cell.depth + 1, 0.0);
     }
     levels[cell.depth].append(decision.kind, decision.planes, decision.tokens);
     if (decision.kind == NodeKind::Grey) {
       result_.witnesses[cell.depth].push_back(decision.witness);
     } else {
+      if (decision.kind != NodeKind::White) {
+        result_.leaf_volumes[cell.depth] += material_volume(solid_, queries_, cell);
+      }
       report_progress(cell.depth);
     }
     if (decision.is_depth_limited) ++result_.depth_limited_nodes;
@@ -134,6 +140,7 @@ class Builder {
   }
 
   const Solid& solid_;
+  const SolidQueries& queries_;
   const BuildOptions& options_;
   const Incidence incidence_;
   const CornerSides sides_;

@@ -23,6 +23,8 @@ struct BuiltOctree {
   Octree tree;
   /// For the GREY nodes of each level, in order: a triangle of the solid that touches the node.
   std::vector<std::vector<std::uint32_t>> witnesses;
+  /// Material in the leaves of each level, in cubed universe units.
+  std::vector<double> leaf_volumes;
   /// Nodes that became leaves only because of `max_depth`.
   std::size_t depth_limited_nodes = 0;
 };

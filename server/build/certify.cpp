@@ -32,15 +32,11 @@ class LevelSurvey : public PieceVisitor {
       : built_(built),
         solid_(solid),
         queries_(queries),
-        leaf_volume(built.tree.levels.size(), 0.0),
         grey_volume(built.tree.levels.size(), 0.0),
         attained(built.tree.levels.size(), 0.0),
         candidates(built.tree.levels.size()) {}
 
-  void piece(const NodeAddress& address, NodeKind, std::uint32_t,
-             const Polyhedron& piece) override {
-    leaf_volume[address.level] += volume(piece);
-  }
+  void piece(const NodeAddress&, NodeKind, std::uint32_t, const Polyhedron&) override {}
 
   void inner(const NodeAddress& address, const Polyhedron& region) override {
     grey_volume[address.level] += volume(region);
@@ -146,9 +142,8 @@ class LevelSurvey : public PieceVisitor {
   const SolidQueries& queries_;
 
  public:
-  std::vector<double> leaf_volume;  ///< per level, universe units
-  std::vector<double> grey_volume;
-  std::vector<double> attained;  ///< a distance that some point of T_k has
+  std::vector<double> grey_volume;  ///< of the GREY nodes' regions per level, universe units
+  std::vector<double> attained;     ///< a distance that some point of T_k has
   std::vector<std::vector<Candidate>> candidates;
 };
 
@@ -156,13 +151,15 @@ class LevelSurvey : public PieceVisitor {
 
 void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries) {
   LevelSurvey survey(built, solid, queries);
-  walk_pieces(built.tree, {}, survey);
+  WalkOptions options;
+  options.inner_nodes_only = true;
+  walk_pieces(built.tree, options, survey);
   const double unit = built.tree.universe.scale();
   const double unit_volume = unit * unit * unit;
   double inner = 0;
   for (std::uint32_t k = 0; k < built.tree.levels.size(); ++k) {
     Level& level = built.tree.levels[k];
-    inner += survey.leaf_volume[k];
+    inner += built.leaf_volumes[k];
     level.statement.inner_volume = inner * unit_volume;
     level.statement.outer_volume = (inner + survey.grey_volume[k]) * unit_volume;
     level.statement.error_bound = level.grey_count == 0 ? 0 : survey.bound(k) * unit;
