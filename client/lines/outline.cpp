@@ -21,10 +21,10 @@ void OutlineFinder::find(const Polyhedron& piece, std::vector<Vec2>& outline) {
   next_.assign(piece.vertices.size(), kNone);
   std::uint32_t start = kNone;
   for (const Polyhedron::Face& face : piece.faces) {
-    if (!faces_viewer(face.plane)) continue;
+    if (facing(face.plane) <= 0) continue;
     const auto loop = piece.loop(face);
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (faces_viewer(loop[k].across)) continue;
+      if (facing(loop[k].across) > 0) continue;
       start = loop[k].vertex;
       next_[start] = loop[k + 1 == loop.size() ? 0 : k + 1].vertex;
     }

@@ -14,13 +14,10 @@ class OutlineFinder {
   /// REQUIRES: `planes` refers to a table that outlives the finder.
   OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera);
 
-  /// True if the outer side of the plane faces the viewer.
-  bool faces_viewer(PlaneRef plane) const {
-    const bool front =
-        plane.is_wall() ? facing_walls_[plane.axis()] == 1 : facing_table_[plane.index()] == 1;
-    const bool back =
-        plane.is_wall() ? facing_walls_[plane.axis()] == -1 : facing_table_[plane.index()] == -1;
-    return plane.is_flipped() ? back : front;
+  /// Camera::facing of the plane, looked up.
+  int facing(PlaneRef plane) const {
+    const int facing = plane.is_wall() ? facing_walls_[plane.axis()] : facing_table_[plane.index()];
+    return plane.is_flipped() ? -facing : facing;
   }
 
   /// The outline in picture coordinates, counter-clockwise; empty if no face faces the viewer. The

@@ -23,9 +23,10 @@ class Looker : public PieceVisitor {
       : creases_(creases),
         camera_(camera),
         tolerance_(kPictureTolerance * unit),
+        reach_(kCreaseTolerance * unit),
         planes_(tree.plane_set()),
         outlines_(planes_, tree.planes.size(), camera),
-        pool_(creases.creases, std::move(open), kCreaseTolerance * unit),
+        pool_(creases.creases, std::move(open), reach_),
         covered_(covered) {}
 
   bool enter(const NodeAddress& address, NodeKind, const Polyhedron& region) override {
@@ -53,7 +54,7 @@ class Looker : public PieceVisitor {
     if (!pool_.frame_is_empty()) {
       taken_.clear();
       pool_.take(half_spaces_of(piece), taken_);
-      for (const CreasePart& part : taken_) look_at(part);
+      for (const CreasePart& part : taken_) look_at(part, piece);
     }
     covered_.cover(outline_);
   }
@@ -83,24 +84,25 @@ class Looker : public PieceVisitor {
     return half_spaces_;
   }
 
-  /// Judges a part of a crease that the piece with `outline_` is the first to touch. What can hide
-  /// the piece is in the covered region by now, and nothing behind the piece is; beside the crease,
-  /// that is so where the outline extends. On a side where it does not (the piece ends there, or is
-  /// seen edge-on), the next piece that touches the part will judge. If none does, a nearer crease
-  /// makes the same line in the picture.
-  void look_at(const CreasePart& part) {
+  /// Judges a part of a crease that `piece`, whose outline is `outline_`, is the first to touch.
+  /// What can hide the piece is in the covered region by now, and nothing behind the piece is;
+  /// beside the crease, that is so where the outline extends. On a side where it does not (the
+  /// piece ends there, or is seen edge-on), the next piece that touches the part will judge. If
+  /// none does, a nearer crease makes the same line in the picture.
+  void look_at(const CreasePart& part, const Polyhedron& piece) {
     const Crease& crease = creases_.creases[part.crease];
     const Vec2 origin = camera_.project(crease.a);
     const Vec2 step = camera_.project(crease.b) - origin;
-    const auto judged = static_cast<LineSides>(part.sides & sides_of_outline(origin, step));
+    auto judged = static_cast<LineSides>(part.sides & sides_of_outline(origin, step));
+    const auto open = static_cast<LineSides>(part.sides & ~judged);
+    judged = static_cast<LineSides>(judged & ~sides_blocked_by(piece, part));
     if (judged == kNeitherSide) {
-      pool_.put_back(part);
+      if (open != kNeitherSide) pool_.put_back({part.crease, open, part.interval});
       return;
     }
     parts_.clear();
     covered_.uncovered_parts(origin, step, part.interval, judged, parts_);
     for (const Interval& interval : parts_) seen_.push_back({part.crease, judged, interval});
-    const auto open = static_cast<LineSides>(part.sides & ~judged);
     if (open == kNeitherSide) return;
     // Only what the covered region ends at: what it covers on both sides stays hidden.
     hidden_.clear();
@@ -124,6 +126,27 @@ class Looker : public PieceVisitor {
     return sides;
   }
 
+  /// The sides beside which the line of sight enters the piece itself: all of the piece's faces
+  /// that the part lies on look away. REQUIRES: `half_spaces_` are those of the piece.
+  LineSides sides_blocked_by(const Polyhedron& piece, const CreasePart& part) const {
+    const Crease& crease = creases_.creases[part.crease];
+    const Vec3 along = crease.b - crease.a;
+    const Vec3 begin = crease.a + part.interval.begin * along;
+    const Vec3 end = crease.a + part.interval.end * along;
+    const Vec3 left = glm::cross(camera_.toward_viewer(), along);
+    LineSides blocked = kBothSides;
+    for (std::size_t k = 0; k < piece.faces.size() && blocked != kNeitherSide; ++k) {
+      const Plane& plane = half_spaces_[k];
+      const double depth =
+          plane.offset - std::min(glm::dot(plane.normal, begin), glm::dot(plane.normal, end));
+      if (depth > 2 * reach_) continue;  // the part does not lie on this face
+      const int facing = outlines_.facing(piece.faces[k].plane);
+      if (facing > 0) return kNeitherSide;
+      if (facing == 0) blocked &= glm::dot(plane.normal, left) > 0 ? kRightSide : kLeftSide;
+    }
+    return blocked;
+  }
+
   /// The parts of `whole` that are in none of `parts`, which are sorted by that.
   static void append_rest(Interval whole, std::vector<Interval>& parts,
                           std::vector<Interval>& rest) {
@@ -140,6 +163,7 @@ class Looker : public PieceVisitor {
   const Creases& creases_;
   const Camera& camera_;
   const double tolerance_;
+  const double reach_;
   const PlaneSet planes_;
   OutlineFinder outlines_;
   CreasePool pool_;

@@ -22,11 +22,16 @@ class SightOracle {
   /// the line along `direction` itself: there, visibility may change.
   bool is_near_other_crease(Vec3 point, Vec3 direction, double distance) const;
 
+  /// True if the edge touches the inside of a flat face that does not end there: from that face's
+  /// side nothing is to be seen of it.
+  bool touches_flat_face(const Surface::Edge& edge) const;
+
   glm::dvec2 project(Vec3 point) const;
   const Surface& surface() const { return surface_; }
 
  private:
   bool ray_is_free(Vec3 from) const;
+  bool is_inside(const Surface::Face& face, Vec3 point, Vec3 x_axis, Vec3 y_axis) const;
 
   const Surface& surface_;
   const PlaneSet planes_;
