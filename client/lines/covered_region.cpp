@@ -9,7 +9,10 @@ namespace {
 
 /// Partitions are not made deeper than this: what would need more stays uncovered, so the worst a
 /// hostile tree can get is a line too many. Pictures of solids stay below 100.
-constexpr int kDeepestPartition = 800;
+constexpr std::size_t kDeepestPartition = 800;
+
+/// From here on more is done to keep partitions balanced.
+constexpr std::size_t kDeepPath = 40;
 
 /// Where an outline is smaller than this fraction of the uncovered space around it, or has more
 /// edges than this there, the space is halved first: that keeps partitions balanced.
@@ -248,12 +251,17 @@ CoveredRegion::Child CoveredRegion::cover_leaf(Polygon polygon) {
     if (corner.edge != kNoEdge) ++edge_count;
   }
   if (edge_count == 0) return kCovered;
-  const double size = std::max(box.upper.x - box.lower.x, box.upper.y - box.lower.y);
-  if (size < kSmallOutline * tile_size_ || edge_count > kManyEdges) {
+  const Vec2 size = box.upper - box.lower;
+  const bool is_deep = path_.size() > kDeepPath;
+  const double largest = std::max(size.x, size.y);
+  if (is_deep || largest < kSmallOutline * tile_size_ || edge_count > kManyEdges) {
     const Rectangle extent = extent_of_leaf();
     const Vec2 space = extent.upper - extent.lower;
-    const int axis = space.x >= space.y ? 0 : 1;
-    if ((size < kSmallOutline * space[axis] || edge_count > kManyEdges) &&
+    // Deep down, across the direction in which the outline is smallest: that helps with needles.
+    int axis = space.x >= space.y ? 0 : 1;
+    if (is_deep) axis = size.x * space.y <= size.y * space.x ? 0 : 1;
+    const double fill = is_deep ? size[axis] : largest;
+    if ((fill < kSmallOutline * space[axis] || edge_count > kManyEdges) &&
         space[axis] > 64 * tolerance_) {
       Line middle;
       middle.normal[axis] = 1;

@@ -1,0 +1,84 @@
+#include "client/lines/crease.hpp"
+
+#include <gtest/gtest.h>
+
+namespace spoctree {
+namespace {
+
+/// Creases along z through the origin. Table: 0 is +x, 1 is +y; walls are not used.
+struct Bench {
+  std::vector<Plane> table{{{1, 0, 0}, 0}, {{0, 1, 0}, 0}};
+  PlaneSet planes{table, 1.0};
+  Creases creases;
+
+  explicit Bench(std::vector<CreaseSide> sides) {
+    creases.creases.push_back(
+        {{0, 0, -0.5}, {0, 0, 0.5}, 0, static_cast<std::uint32_t>(sides.size())});
+    creases.sides = std::move(sides);
+  }
+  LineSides open(Vec3 toward_viewer) const {
+    return open_sides(creases.creases[0], creases, planes, Camera(toward_viewer));
+  }
+  bool silhouette(Vec3 toward_viewer) const {
+    return is_silhouette(creases.creases[0], creases, planes, Camera(toward_viewer));
+  }
+};
+
+const PlaneRef kX = PlaneRef::of_table(0);
+const PlaneRef kY = PlaneRef::of_table(1);
+
+/// Material where x <= 0 and y <= 0.
+Bench convex() { return Bench({{kX, true}, {kY, false}}); }
+/// Material where x <= 0 or y <= 0.
+Bench reflex() { return Bench({{kX, false}, {kY, true}}); }
+/// Material where x and y have one sign: two wedges that touch in the crease.
+Bench crossing() {
+  return Bench({{kX, true}, {kY, false}, {kX.flipped(), true}, {kY.flipped(), false}});
+}
+
+TEST(OpenSides, AreBothUnlessAllFacesOfAConvexEdgeLookAway) {
+  EXPECT_EQ(convex().open({1, 2, 0.3}), kBothSides);
+  EXPECT_EQ(convex().open({-1, 2, 0.3}), kBothSides);
+  EXPECT_EQ(convex().open({1, -2, -0.3}), kBothSides);
+  EXPECT_EQ(convex().open({-1, -2, 0.3}), kNeitherSide);
+}
+
+TEST(OpenSides, AreNeitherUnlessAllFacesOfAReflexEdgeFaceTheViewer) {
+  EXPECT_EQ(reflex().open({1, 2, 0.3}), kBothSides);
+  EXPECT_EQ(reflex().open({-1, 2, 0.3}), kNeitherSide);
+  EXPECT_EQ(reflex().open({1, -2, 0.3}), kNeitherSide);
+  EXPECT_EQ(reflex().open({-1, -2, 0.3}), kNeitherSide);
+}
+
+TEST(OpenSides, AreOneWhereAFaceIsSeenEdgeOn) {
+  // From -y, z upwards, right is +x. The face x = 0 is seen edge-on and has material on its left.
+  EXPECT_EQ(convex().open({0, -1, 0}), kRightSide);
+  EXPECT_EQ(convex().open({-1, 0, 0}), kLeftSide);
+  // From +y, right is -x: material of the reflex edge is on its right, beyond x = 0.
+  EXPECT_EQ(reflex().open({0, 1, 0}), kLeftSide);
+  EXPECT_EQ(reflex().open({1, 0, 0}), kRightSide);
+}
+
+TEST(OpenSides, AreThoseOfTheSectorWhereFourFacesMeet) {
+  EXPECT_EQ(crossing().open({1, 2, 0.3}), kNeitherSide);
+  EXPECT_EQ(crossing().open({-1, -2, 0.3}), kNeitherSide);
+  EXPECT_EQ(crossing().open({-1, 2, 0.3}), kBothSides);
+  EXPECT_EQ(crossing().open({1, -2, 0.3}), kBothSides);
+  // From -y: material is at x < 0, on the left.
+  EXPECT_EQ(crossing().open({0, -1, 0}), kRightSide);
+}
+
+TEST(Silhouettes, HaveFacesOfBothKinds) {
+  EXPECT_FALSE(convex().silhouette({1, 2, 0.3}));
+  EXPECT_TRUE(convex().silhouette({-1, 2, 0.3}));
+  EXPECT_TRUE(convex().silhouette({0, 1, 0}));
+  EXPECT_FALSE(reflex().silhouette({1, 2, 0.3}));
+}
+
+TEST(CreaseAngle, IsThatOfTheNormals) {
+  const Bench bench = convex();
+  EXPECT_NEAR(crease_angle_deg(bench.creases.creases[0], bench.creases, bench.planes), 90, 1e-12);
+}
+
+}  // namespace
+}  // namespace spoctree
