@@ -6,10 +6,14 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace spoctree {
 
 __extension__ using Int128 = __int128;
+
+// The error bounds of what is first tried in long doubles, here and in predicates.cpp.
+static_assert(std::numeric_limits<long double>::digits >= 64);
 
 /// Two's complement, limbs from the lowest. Results that do not fit are taken modulo 2^256: callers
 /// know their widths.

@@ -121,14 +121,16 @@ int side_of_any_point(const Plane& plane, Vec3 point) {
   if (size <= 0x1p10) {
     std::int64_t grid_point[3];
     double rest = 0;
+    bool on_grid = true;  // a rest of 0 may be what rounding left of another
     for (int i = 0; i < 3; ++i) {
       const double scaled = point[i] * 0x1p52;
       const double rounded = std::nearbyint(scaled);
       grid_point[i] = static_cast<std::int64_t>(rounded);
       rest += plane.normal[i] * 0x1p52 * (scaled - rounded);
+      on_grid &= scaled == rounded;
     }
     const Int128 at_grid_point = evaluate(to_grid(plane), grid_point);
-    if (rest == 0) return sign(at_grid_point);
+    if (on_grid) return sign(at_grid_point);
     // |rest| < 2^53 and errs by less than 4.
     if (at_grid_point > Int128{1} << 54) return 1;
     if (at_grid_point < -(Int128{1} << 54)) return -1;
@@ -155,8 +157,8 @@ int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane) {
   const std::int64_t gb[3] = {to_grid_integer(b.x), to_grid_integer(b.y), to_grid_integer(b.z)};
   const GridPlane c = to_grid(crossed);
   const GridPlane g = to_grid(plane);
-  // At a + t (b - a) with t = c(a) / (c(a) - c(b)), plane is [g(b) c(a) - g(a) c(b)] / (c(a) -
-  // c(b)).
+  // At a + t (b - a) with t = c(a) / (c(a) - c(b)), the plane's value is
+  // [g(b) c(a) - g(a) c(b)] / (c(a) - c(b)).
   const Int128 ca = evaluate(c, ga);
   const Int128 cb = evaluate(c, gb);
   Int256 numerator = Int256(evaluate(g, gb)) * ca;
@@ -201,11 +203,11 @@ ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane&
     const LongVec3 long_qr = glm::cross(nq, nr);
     const long double long_w = glm::dot(np, long_qr);
     const auto offset = [](const Plane& plane) { return static_cast<long double>(plane.offset); };
-    const Vec3 x((offset(p) * long_qr + offset(q) * glm::cross(nr, np) +
-                  offset(r) * glm::cross(np, nq)) /
-                 long_w);
+    const Vec3 x(
+        (offset(p) * long_qr + offset(q) * glm::cross(nr, np) + offset(r) * glm::cross(np, nq)) /
+        long_w);
     const double size = largest(x);
-    return {x, (32 + 8 * size) * kUnit * 0x1p-11 / (std::abs(w) - 7 * kUnit) + 2 * size * kUnit};
+    return {x, (32 + 8 * size) * kUnit * 0x1p-11 / (std::abs(w) - 7 * kUnit) + 3 * size * kUnit};
   }
   const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
   assert(point.w.sign() > 0);
@@ -214,7 +216,8 @@ ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane&
   for (int i = 0; i < 3; ++i) {
     x[i] = static_cast<double>(point.x[i].to_long_double() / exact_w);
   }
-  return {x, 2 * kUnit * largest(x)};
+  // Half of this for x, the other half for who adds the error to x and rounds once more.
+  return {x, 4 * kUnit * largest(x)};
 }
 
 ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed) {

@@ -156,6 +156,26 @@ TEST(SideOfAnyPoint, SeesTheSmallestAndTheLargestDoubles) {
   }
 }
 
+TEST(SideOfAnyPoint, IsExactWhereRoundedProductsCancel) {
+  // n.x x + n.y y = 0 in doubles, but not exactly: nothing but the exact sum knows the side.
+  Random random(41);
+  int cancelled = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Plane plane = grid_plane_through(random_direction(random), Vec3{0.0});
+    Vec3 point{0.0};
+    point.x = random.between(-1, 1) * std::ldexp(1.0, -random_integer(random, 1, 200));
+    point.y = -(plane.normal.x * point.x) / plane.normal.y;
+    if (k % 2 == 0) {
+      // The same around a grid point of the plane.
+      point.x = std::ldexp(point.x, -60);
+      point.y = std::ldexp(point.y, -60);
+    }
+    cancelled += plane.normal.x * point.x + plane.normal.y * point.y == 0;
+    EXPECT_EQ(side_of_any_point(plane, point), exact_sign(exact_value(plane, to_rational(point))));
+  }
+  EXPECT_GT(cancelled, 5000);
+}
+
 TEST(SideOfIntersection, IsExactForEasyAndDegenerateTriples) {
   Random random(5);
   int on_plane = 0;
