@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-#include "client/rebuild/line_uses.hpp"
+#include "client/rebuild/line_ends.hpp"
 
 namespace spoctree {
 
@@ -33,9 +33,9 @@ inline ChainEdge directed_edge(std::uint32_t from, std::uint32_t to, std::uint32
   return from < to ? ChainEdge{from, to, carrier, count} : ChainEdge{to, from, carrier, -count};
 }
 
-/// Cuts every line at all vertices that any use of it names, and adds up what the uses say on each
-/// part. `uses` are sorted in place. The result is normalized. O(uses).
-Chain subdivide_lines(std::vector<LineUse>& uses, std::uint32_t carrier_count,
+/// Cuts every line at its ends, and gives what the faces' edges say on each part. `ends` are sorted
+/// in place. The result is normalized. O(ends).
+Chain subdivide_lines(std::vector<LineEnd>& ends, std::uint32_t carrier_count,
                       std::span<const Vec3> positions);
 
 /// Sorts by edge, then carrier; adds up equal entries and drops those that become zero.

@@ -78,8 +78,8 @@ void find_edges(Surface& surface) {
 Surface rebuild_surface(const Octree& tree, std::uint32_t level) {
   Carriers carriers(tree);
   VertexWelder welder(kWeldTolerance * 2 * std::sqrt(3.0) * tree.universe.half_side);
-  LineUses lines = collect_line_uses(tree, level, carriers, welder);
-  Chain chain = subdivide_lines(lines.uses, carriers.count(), welder.vertices());
+  LineEnds lines = collect_line_ends(tree, level, carriers, welder);
+  Chain chain = subdivide_lines(lines.ends, carriers.count(), welder.vertices());
   join_straight_edges(chain, welder.vertices().size());
   // Each may leave work for the other; in practice the second round finds nothing.
   constexpr int kMaxRounds = 4;
