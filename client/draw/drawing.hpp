@@ -28,8 +28,8 @@ struct Drawing {
 };
 
 struct PageOptions {
-  /// The part of the picture that is shown. extent_of_universe gives all levels of a tree the same
-  /// page, so that their drawings can be laid side by side.
+  /// The part of the picture that is shown. extent_of_solid gives all levels of a tree the same page,
+  /// so that their drawings can be laid side by side.
   Rectangle frame;
   /// The longer side of the page, margins included; in the page's units.
   double size = 1000;

@@ -34,17 +34,4 @@ int Camera::facing(const Plane& plane) const {
   return sine > 0 ? 1 : -1;
 }
 
-Rectangle extent_of_universe(const Universe& universe, const Camera& camera) {
-  Rectangle extent;
-  for (unsigned corner = 0; corner < 8; ++corner) {
-    Vec3 point;
-    for (int axis = 0; axis < 3; ++axis) {
-      point[axis] = (corner >> axis & 1) != 0 ? universe.half_side : -universe.half_side;
-    }
-    extent.lower = glm::min(extent.lower, camera.project(point));
-    extent.upper = glm::max(extent.upper, camera.project(point));
-  }
-  return extent;
-}
-
 }  // namespace spoctree

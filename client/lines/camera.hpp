@@ -47,7 +47,4 @@ class Camera {
   Vec3 toward_viewer_;
 };
 
-/// The smallest rectangle around the projected universe cube: the same for all levels of a tree.
-Rectangle extent_of_universe(const Universe& universe, const Camera& camera);
-
 }  // namespace spoctree

@@ -6,6 +6,7 @@
 #include "client/lines/arrange_lines.hpp"
 #include "client/lines/covered_region.hpp"
 #include "client/lines/crease_pool.hpp"
+#include "client/lines/extent.hpp"
 #include "client/lines/outline.hpp"
 #include "common/base/errors.hpp"
 #include "common/geometry/tolerances.hpp"
