@@ -51,7 +51,8 @@ class PolyhedronClipper {
  public:
   /// Replaces `polyhedron` by its intersection with the half-space of `plane`. Signs are exact, so
   /// the result has the combinatorial structure of the exact intersection; `Empty` (and then the
-  /// polyhedron is unspecified) if the intersection has no interior. O(corners).
+  /// polyhedron is unspecified) if the intersection has no interior. O(corners + square of
+  /// the number of edges cut).
   ClipResult clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes);
 
  private:
