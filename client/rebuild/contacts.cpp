@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numeric>
 
 #include "client/rebuild/plane_frame.hpp"
+#include "common/geometry/tolerances.hpp"
 
 namespace spoctree {
 
@@ -30,11 +32,55 @@ struct FlatEdge {
   Vec2 upper{0.0};
 };
 
+/// The edges of every carrier that is `active`, as rows of a table.
+struct EdgesOfCarriers {
+  std::vector<std::uint32_t> begin;
+  std::vector<std::uint32_t> edges;       ///< numbers of edges
+  std::vector<std::uint32_t> edge_begin;  ///< edges + 1 offsets into the chain
+
+  EdgesOfCarriers(const Chain& chain, const std::vector<bool>& active) : begin(active.size() + 1) {
+    for_each_edge(chain, [&](std::size_t first, std::size_t last) {
+      edge_begin.push_back(static_cast<std::uint32_t>(first));
+      for (std::size_t i = first; i < last; ++i) {
+        if (active[chain[i].carrier]) ++begin[chain[i].carrier + 1];
+      }
+    });
+    edge_begin.push_back(static_cast<std::uint32_t>(chain.size()));
+    std::partial_sum(begin.begin(), begin.end(), begin.begin());
+    edges.resize(begin.back());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (std::uint32_t edge = 0; edge + 1 < edge_begin.size(); ++edge) {
+      for (std::uint32_t i = edge_begin[edge]; i < edge_begin[edge + 1]; ++i) {
+        if (active[chain[i].carrier]) edges[next[chain[i].carrier]++] = edge;
+      }
+    }
+  }
+};
+
 class ContactFinder {
  public:
-  ContactFinder(VertexWelder& welder, std::vector<Cut>& cuts) : welder_(welder), cuts_(cuts) {}
+  ContactFinder(const Carriers& carriers, VertexWelder& welder, std::vector<Cut>& cuts)
+      : carriers_(carriers),
+        welder_(welder),
+        cuts_(cuts),
+        short_(kShortEdge / kWeldTolerance * welder.tolerance()),
+        meeting_(kMeetingTolerance / kWeldTolerance * welder.tolerance()) {}
 
-  void add(std::uint32_t number, const ChainEdge& edge, const PlaneFrame& frame) {
+  /// Cuts for all contacts in one carrier.
+  void find(const Chain& chain, const EdgesOfCarriers& rows, std::uint32_t carrier) {
+    chain_ = &chain;
+    rows_ = &rows;
+    const PlaneFrame frame(carriers_.plane(carrier), false);
+    edges_.clear();
+    for (std::uint32_t i = rows.begin[carrier]; i < rows.begin[carrier + 1]; ++i) {
+      add(rows.edges[i], frame);
+    }
+    sweep();
+  }
+
+ private:
+  void add(std::uint32_t number, const PlaneFrame& frame) {
+    const ChainEdge& edge = (*chain_)[rows_->edge_begin[number]];
     const Vec2 a = frame.project(welder_.vertices()[edge.a]);
     const Vec2 b = frame.project(welder_.vertices()[edge.b]);
     const double length = glm::length(b - a);
@@ -43,9 +89,7 @@ class ContactFinder {
         {number, edge.a, edge.b, a, direction, length, glm::min(a, b), glm::max(a, b)});
   }
 
-  /// Cuts for all contacts among the edges added since the last call.
-  void find() {
-    const double reach = welder_.tolerance();
+  void sweep() {
     std::sort(edges_.begin(), edges_.end(), [](const FlatEdge& e, const FlatEdge& f) {
       return e.lower.x != f.lower.x ? e.lower.x < f.lower.x : e.edge < f.edge;
     });
@@ -55,19 +99,17 @@ class ContactFinder {
       std::size_t kept = 0;
       for (const std::uint32_t j : open_) {
         const FlatEdge& other = edges_[j];
-        if (other.upper.x + reach < edge.lower.x) continue;
+        if (other.upper.x + short_ < edge.lower.x) continue;
         open_[kept++] = j;
-        if (other.lower.y - reach <= edge.upper.y && edge.lower.y - reach <= other.upper.y) {
+        if (other.lower.y - short_ <= edge.upper.y && edge.lower.y - short_ <= other.upper.y) {
           compare(other, edge);
         }
       }
       open_.resize(kept);
       open_.push_back(i);
     }
-    edges_.clear();
   }
 
- private:
   void compare(const FlatEdge& e, const FlatEdge& f) {
     // Not `||`: both directions count.
     if (touch(e, f) | touch(f, e)) return;
@@ -93,46 +135,38 @@ class ContactFinder {
       if (vertex == e.a || vertex == e.b) continue;
       const double along = glm::dot(ends[i] - e.start, e.direction);
       if (along <= 0 || along >= e.length) continue;
-      if (std::abs(cross(e.direction, ends[i] - e.start)) > welder_.tolerance()) continue;
+      if (!is_on(std::abs(cross(e.direction, ends[i] - e.start)), e, vertex)) continue;
       put(e, along / e.length, vertex);
       any = true;
     }
     return any;
   }
 
+  /// Near the edge, or not far and on all its planes: nearly parallel ones meet somewhere about.
+  bool is_on(double distance, const FlatEdge& e, std::uint32_t vertex) const {
+    if (distance <= welder_.tolerance()) return true;
+    if (distance > short_) return false;
+    for (std::uint32_t i = rows_->edge_begin[e.edge]; i < rows_->edge_begin[e.edge + 1]; ++i) {
+      const Plane& plane = carriers_.plane((*chain_)[i].carrier);
+      const double off = glm::dot(plane.normal, welder_.vertices()[vertex]) - plane.offset;
+      if (std::abs(off) > meeting_) return false;
+    }
+    return true;
+  }
+
   void put(const FlatEdge& edge, double along, std::uint32_t vertex) {
     if (vertex != edge.a && vertex != edge.b) cuts_.push_back({edge.edge, along, vertex});
   }
 
+  const Carriers& carriers_;
   VertexWelder& welder_;
   std::vector<Cut>& cuts_;
+  const double short_;    // kShortEdge and
+  const double meeting_;  // kMeetingTolerance in universe units
+  const Chain* chain_ = nullptr;
+  const EdgesOfCarriers* rows_ = nullptr;
   std::vector<FlatEdge> edges_;
   std::vector<std::uint32_t> open_;
-};
-
-/// The edges of every carrier that is `active`, as rows of a table.
-struct EdgesOfCarriers {
-  std::vector<std::uint32_t> begin;
-  std::vector<std::uint32_t> entries;      ///< indices of the chain
-  std::vector<std::uint32_t> edge_number;  ///< per entry of the chain
-
-  EdgesOfCarriers(const Chain& chain, const std::vector<bool>& active)
-      : begin(active.size() + 1), edge_number(chain.size()) {
-    std::uint32_t number = 0;
-    for_each_edge(chain, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        edge_number[i] = number;
-        if (active[chain[i].carrier]) ++begin[chain[i].carrier + 1];
-      }
-      ++number;
-    });
-    for (std::size_t c = 0; c < active.size(); ++c) begin[c + 1] += begin[c];
-    entries.resize(begin.back());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (std::uint32_t i = 0; i < chain.size(); ++i) {
-      if (active[chain[i].carrier]) entries[next[chain[i].carrier]++] = i;
-    }
-  }
 };
 
 /// Replaces every cut edge by the path through its cuts; `touched` becomes the carriers concerned.
@@ -169,17 +203,12 @@ void resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& weld
   constexpr int kMaxRounds = 16;
   std::vector<bool> active(carriers.count(), true);
   std::vector<Cut> cuts;
-  ContactFinder finder(welder, cuts);
+  ContactFinder finder(carriers, welder, cuts);
   for (int round = 0; round < kMaxRounds; ++round) {
     const EdgesOfCarriers rows(chain, active);
     cuts.clear();
     for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
-      if (rows.begin[carrier] == rows.begin[carrier + 1]) continue;
-      const PlaneFrame frame(carriers.plane(carrier), false);
-      for (std::uint32_t i = rows.begin[carrier]; i < rows.begin[carrier + 1]; ++i) {
-        finder.add(rows.edge_number[rows.entries[i]], chain[rows.entries[i]], frame);
-      }
-      finder.find();
+      if (rows.begin[carrier] < rows.begin[carrier + 1]) finder.find(chain, rows, carrier);
     }
     if (cuts.empty()) return;
     Chain cut_chain = apply_cuts(chain, cuts, active);

@@ -94,8 +94,8 @@ std::vector<ShortEdge> find_short_edges(const Chain& chain, std::span<const Vec3
 /// Sets of vertices that became one, with the planes around them.
 class VertexMerger {
  public:
-  VertexMerger(const CarriersAround& around, const Carriers& carriers, std::size_t vertex_count)
-      : around_(around), carriers_(carriers), set_of_(vertex_count) {
+  VertexMerger(const CarriersAround& around, const Carriers& carriers, std::vector<Vec3> points)
+      : around_(around), carriers_(carriers), points_(std::move(points)), set_of_(points_.size()) {
     std::iota(set_of_.begin(), set_of_.end(), 0u);
   }
 
@@ -113,20 +113,37 @@ class VertexMerger {
     both.insert(both.end(), more.begin(), more.end());
     std::sort(both.begin(), both.end());
     both.erase(std::unique(both.begin(), both.end()), both.end());
-    const std::optional<Vec3> point = meeting_point(both, carriers_);
-    if (!point || !all_pass(both, carriers_, *point, tolerance)) return;
+    const std::optional<Vec3> point = common_point(both, {points_[a], points_[b]}, tolerance);
+    if (!point) return;
     const std::uint32_t kept = std::min(a, b);
     set_of_[std::max(a, b)] = kept;
+    points_[kept] = *point;
     merged_.push_back({kept, std::move(both)});
   }
 
   bool is_empty() const { return merged_.empty(); }
+  /// Calls visit(vertex, position) for the vertices that stand for others.
+  template <class Visit>
+  void for_each_kept(Visit&& visit) const {
+    for (const Merged& merged : merged_) visit(merged.vertex, points_[merged.vertex]);
+  }
 
  private:
   struct Merged {
     std::uint32_t vertex;
     std::vector<std::uint32_t> planes;
   };
+
+  /// A point on all planes: where they meet, or if they are too parallel for that, a known one.
+  std::optional<Vec3> common_point(std::span<const std::uint32_t> planes,
+                                   std::initializer_list<Vec3> known, double tolerance) const {
+    const std::optional<Vec3> meeting = meeting_point(planes, carriers_);
+    if (meeting && all_pass(planes, carriers_, *meeting, tolerance)) return meeting;
+    for (const Vec3 point : known) {
+      if (all_pass(planes, carriers_, point, tolerance)) return point;
+    }
+    return std::nullopt;
+  }
 
   std::vector<std::uint32_t> planes_of(std::uint32_t vertex) const {
     // The latest entry is the whole; clusters are few and small.
@@ -139,18 +156,19 @@ class VertexMerger {
 
   const CarriersAround& around_;
   const Carriers& carriers_;
+  std::vector<Vec3> points_;
   std::vector<std::uint32_t> set_of_;
   std::vector<Merged> merged_;
 };
 
-bool merge_clusters(Chain& chain, const Carriers& carriers, const VertexWelder& welder) {
+bool merge_clusters(Chain& chain, const Carriers& carriers, VertexWelder& welder) {
   // The welder's tolerance is kWeldTolerance of the diagonal.
   const double diagonal = welder.tolerance() / kWeldTolerance;
   const auto& positions = welder.vertices();
   const std::vector<ShortEdge> edges = find_short_edges(chain, positions, kShortEdge * diagonal);
   if (edges.empty()) return false;
   const CarriersAround around(chain, positions.size());
-  VertexMerger merger(around, carriers, positions.size());
+  VertexMerger merger(around, carriers, positions);
   for (const ShortEdge& edge : edges) {
     merger.try_merge(edge.a, edge.b, kMeetingTolerance * diagonal);
   }
@@ -164,6 +182,7 @@ bool merge_clusters(Chain& chain, const Carriers& carriers, const VertexWelder& 
   }
   chain.swap(mapped);
   normalize(chain, positions.size());
+  merger.for_each_kept([&](std::uint32_t vertex, Vec3 point) { welder.move(vertex, point); });
   return true;
 }
 
