@@ -7,6 +7,7 @@
 #include "client/draw/write_json.hpp"
 #include "client/draw/write_svg.hpp"
 #include "client/lines/camera.hpp"
+#include "client/lines/extent.hpp"
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/surface.hpp"
 #include "common/base/errors.hpp"
@@ -46,7 +47,7 @@ std::string draw(const LevelStream& stream, const Camera& camera, double crease_
       visible_lines(tree, rebuild_surface(tree, options.level), camera, options);
   if (format == "json") return to_json(lines, tree.universe, options.level);
   PageOptions page;
-  page.frame = extent_of_universe(tree.universe, camera);
+  page.frame = extent_of_solid(tree, camera);
   SvgStyle style;
   style.title = stream.model_name() + ", level " + std::to_string(options.level);
   return to_svg(make_drawing(lines, camera, page), style);

@@ -14,12 +14,20 @@ LevelStream::LevelStream(const StreamOptions& options, OnFrame on_frame, std::st
       throttle_(options.rate) {
   accept_held(held);
   if (is_done()) return;
+  open();
+  if (decoder_.has_info()) check_last_level();
+}
+
+void LevelStream::open() {
   GetRequest request;
   request.levels = options_.last_level ? *options_.last_level + 1 : 0;
   request.held = decoder_.resume_point();
   if (request.held.byte == 0) request.held = {};
+  frames_ = FrameReader(kMaxPayloadBytes, frames_.number(), frames_.offset());
+  is_answered_ = false;
+  may_reconnect_ = false;
   bytes_ = open_source(name_, request, options_.rate);
-  if (decoder_.has_info()) check_last_level();
+  last_read_ = std::chrono::steady_clock::now();
 }
 
 void LevelStream::accept_held(std::string_view held) {
@@ -30,6 +38,7 @@ void LevelStream::accept_held(std::string_view held) {
 bool LevelStream::next_level() {
   if (is_done()) return false;
   const std::uint32_t before = decoder_.level_count();
+  may_reconnect_ = std::chrono::steady_clock::now() - last_read_ > options_.patience;
   try {
     while (decoder_.level_count() == before) receive_frame();
   } catch (const Refusal& refusal) {
@@ -40,18 +49,27 @@ bool LevelStream::next_level() {
   return true;
 }
 
+std::string_view LevelStream::read_bytes() {
+  const std::string_view bytes =
+      bytes_->read(std::min(frames_.missing_bytes(), throttle_.portion()));
+  if (!bytes.empty()) return bytes;
+  throw NetworkError(options_.source + ": broke off after " +
+                     std::to_string(frames_.offset() + frames_.pending_bytes()) +
+                     " bytes, in level " + std::to_string(decoder_.level_count()));
+}
+
 void LevelStream::receive_frame() {
   auto frame = frames_.next();
   while (!frame) {
-    const std::string_view bytes =
-        bytes_->read(std::min(frames_.missing_bytes(), throttle_.portion()));
-    if (bytes.empty()) {
-      throw NetworkError(options_.source + ": broke off after " +
-                         std::to_string(frames_.offset() + frames_.pending_bytes()) +
-                         " bytes, in level " + std::to_string(decoder_.level_count()));
+    try {
+      const std::string_view bytes = read_bytes();
+      throttle_.spend(bytes.size());
+      frames_.feed(bytes);
+      last_read_ = std::chrono::steady_clock::now();
+    } catch (const NetworkError&) {
+      if (!may_reconnect_) throw;
+      open();
     }
-    throttle_.spend(bytes.size());
-    frames_.feed(bytes);
     show_progress();
     frame = frames_.next();
   }

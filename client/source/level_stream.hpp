@@ -1,6 +1,7 @@
 // A source -> frames -> a tree that grows level by level.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -22,6 +23,9 @@ struct StreamOptions {
   /// The last level that is asked for; nothing: the last one there is.
   std::optional<std::uint32_t> last_level;
   std::uint64_t rate = 0;  ///< bytes per second, 0: as fast as they come
+  /// A caller that takes longer than this between two levels must expect that the server has given
+  /// up on it: the transmission is then resumed on a new connection.
+  std::chrono::milliseconds patience = kIdleTimeout / 2;
 };
 
 /// Receives as many levels as asked for and not a byte beyond the one at hand: between two calls of
@@ -52,6 +56,8 @@ class LevelStream {
  private:
   void accept_held(std::string_view held);
   void check_last_level() const;
+  void open();
+  std::string_view read_bytes();
   void receive_frame();
   void accept(const FrameView& frame);
   bool is_done() const;
@@ -66,6 +72,8 @@ class LevelStream {
   FrameReader frames_;
   std::unique_ptr<ByteSource> bytes_;
   bool is_answered_ = false;
+  std::chrono::steady_clock::time_point last_read_;
+  bool may_reconnect_ = false;
   ProgressLine line_;
 };
 

@@ -36,7 +36,7 @@ std::vector<LevelRow> level_rows(const Octree& tree, std::span<const LevelBytes>
     row.new_planes = planes - known_planes;
     known_planes = planes;
     row.plane_references = level.references.size();
-    row.error_percent = 100 * level.statement.error_bound / tree.universe.diagonal();
+    row.error_percent = 100 * (level.statement.error_bound / tree.universe.diagonal());
     row.inner_volume = level.statement.inner_volume;
     row.outer_volume = level.statement.outer_volume;
     rows.push_back(row);

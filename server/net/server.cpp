@@ -76,7 +76,8 @@ struct Server::Impl {
     error_code ignored;
     acceptor.close(ignored);
     pause.cancel();
-    signals.clear(ignored);
+    signals.cancel(ignored);
+    signals.clear(ignored);  // a second signal ends the program the usual way
     for (const auto& session : sessions) session->stop();
   }
 

@@ -62,7 +62,8 @@ asio::awaitable<void> Session::serve(std::shared_ptr<Session> self, bool refuse)
   try {
     if (refuse) {
       log_warning(self->client_ + ": refused, there are too many connections");
-      co_await self->say_farewell({ErrorCode::Busy, "too many connections; try again later"});
+      const ErrorMessage busy{ErrorCode::Busy, "too many connections; try again later"};
+      co_await self->say_farewell(busy);
     } else {
       co_await self->answer_requests();
     }
@@ -103,15 +104,16 @@ std::size_t Session::unsent_bytes() {
 }
 
 asio::awaitable<void> Session::answer_requests() {
-  std::string complaint;
+  ErrorMessage complaint{ErrorCode::BadRequest, {}};
   try {
     while (const auto frame = co_await read_request()) {
       if (!co_await answer(*frame)) co_return;
     }
+    co_return;
   } catch (const BadInput& error) {
-    complaint = error.what();
+    complaint.text = error.what();
   }
-  if (!complaint.empty()) co_await say_farewell({ErrorCode::BadRequest, complaint});
+  co_await say_farewell(complaint);
 }
 
 asio::awaitable<std::optional<FrameView>> Session::read_request() {
@@ -136,23 +138,22 @@ asio::awaitable<std::optional<FrameView>> Session::read_request() {
 
 asio::awaitable<bool> Session::answer(FrameView frame) {
   const Request request = open_request(frame);
-  if (std::holds_alternative<ListRequest>(request)) {
-    log_info(client_ + ": list");
-    co_return co_await write(service_.catalog);
-  }
-  co_return co_await send_model(std::get<GetRequest>(request));
+  if (const auto* const get = std::get_if<GetRequest>(&request))
+    co_return co_await send_model(*get);
+  log_info(client_ + ": list");
+  co_return co_await write(service_.catalog);
 }
 
-asio::awaitable<bool> Session::send_model(GetRequest request) {
+asio::awaitable<bool> Session::send_model(const GetRequest& request) {
   log_info(client_ + ": get '" + request.name + "', levels " + std::to_string(request.levels) +
            ", from byte " + std::to_string(request.held.byte));
   const SpoFile* const file = service_.store.find(request.name);
   // These errors leave the conversation intact: the next request may do better.
   if (file == nullptr) {
-    const std::string what = request.name.empty() ? "a model must be named"
-                                                  : "no model is called '" + request.name + "'";
-    co_return co_await send_error(
-        {ErrorCode::UnknownModel, what + "; there are " + service_.store.names_as_text()});
+    ErrorMessage error{ErrorCode::UnknownModel, "a model must be named"};
+    if (!request.name.empty()) error.text = "no model is called '" + request.name + "'";
+    error.text += "; there are " + service_.store.names_as_text();
+    co_return co_await send_error(error);
   }
   const GetAnswer answer = answer_get(*file, request);
   if (const auto* const error = std::get_if<ErrorMessage>(&answer)) {
@@ -161,7 +162,7 @@ asio::awaitable<bool> Session::send_model(GetRequest request) {
   co_return co_await write(std::get<std::string_view>(answer));
 }
 
-asio::awaitable<bool> Session::send_error(ErrorMessage error) {
+asio::awaitable<bool> Session::send_error(const ErrorMessage& error) {
   log_info(client_ + ": error sent: " + error.text);
   const std::string frame = seal_error(error);
   co_return co_await write(frame);
@@ -184,8 +185,8 @@ asio::awaitable<bool> Session::write(std::string_view bytes) {
   co_return true;
 }
 
-asio::awaitable<void> Session::say_farewell(ErrorMessage farewell) {
-  if (!co_await send_error(std::move(farewell))) co_return;
+asio::awaitable<void> Session::say_farewell(const ErrorMessage& farewell) {
+  if (!co_await send_error(farewell)) co_return;
   // Closing a connection on which bytes are unread resets it, and the client would never see why:
   // say that this is the end, then listen for a while.
   error_code error;

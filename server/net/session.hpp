@@ -27,6 +27,9 @@ struct Service {
   std::string catalog;  ///< the answer to `list`
 };
 
+/// g++ 12 destroys class objects that are temporaries of a co_await expression twice: what is
+/// awaited gets references to named objects here, or trivial values.
+///
 /// Answers requests one after the other until the client closes the connection, breaks the
 /// protocol, or neither sends nor takes a byte for too long.
 class Session : public std::enable_shared_from_this<Session> {
@@ -51,11 +54,11 @@ class Session : public std::enable_shared_from_this<Session> {
   boost::asio::awaitable<std::optional<FrameView>> read_request();
   /// False when the connection is to be closed.
   boost::asio::awaitable<bool> answer(FrameView frame);
-  boost::asio::awaitable<bool> send_model(GetRequest request);
-  boost::asio::awaitable<bool> send_error(ErrorMessage error);
+  boost::asio::awaitable<bool> send_model(const GetRequest& request);
+  boost::asio::awaitable<bool> send_error(const ErrorMessage& error);
   boost::asio::awaitable<bool> write(std::string_view bytes);
   /// Ends the conversation so that the client can read why although it may still be talking.
-  boost::asio::awaitable<void> say_farewell(ErrorMessage error);
+  boost::asio::awaitable<void> say_farewell(const ErrorMessage& farewell);
 
   void expect_progress_within(std::chrono::milliseconds time);
   std::size_t unsent_bytes();
