@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <queue>
 
-#include "common/tree/classify.hpp"
 #include "common/tree/pieces.hpp"
 #include "server/solid/triangle_distance.hpp"
 
@@ -116,7 +115,7 @@ class LevelSurvey : public PieceVisitor {
 
  private:
   bool is_in_solid(Vec3 point) const {
-    return classify_point(built_.tree, point) == PointClass::In;
+    return queries_.side_of(point) == SolidQueries::Side::In;
   }
 
   /// Raises `reached` to the distance of a corner of a piece from the solid.
