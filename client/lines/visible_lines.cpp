@@ -203,25 +203,26 @@ std::uint32_t tiles_per_side(const Octree& tree, std::uint32_t level, std::size_
   return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1024.0));
 }
 
-/// Parts of creases, each merged to as few as there are.
-void merge_parts(std::vector<CreasePart>& parts, const Creases& creases, double tolerance) {
+/// Parts of creases, each merged to as few as there are; what is shorter than `shortest`, gap or
+/// part, goes to its neighbours unless it is a whole crease.
+void merge_parts(std::vector<CreasePart>& parts, const Creases& creases, double shortest) {
   std::sort(parts.begin(), parts.end(), [](const CreasePart& p, const CreasePart& q) {
     return p.crease != q.crease ? p.crease < q.crease : p.interval.begin < q.interval.begin;
   });
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    CreasePart& last = parts[kept == 0 ? 0 : kept - 1];
-    const CreasePart part = parts[k];
-    if (kept > 0 && last.crease == part.crease) {
-      const Crease& crease = creases.creases[part.crease];
-      const double gap =
-          (part.interval.begin - last.interval.end) * glm::distance(crease.a, crease.b);
-      if (gap <= tolerance) {
-        last.interval.end = std::max(last.interval.end, part.interval.end);
-        continue;
-      }
+  for (std::size_t k = 0; k < parts.size();) {
+    CreasePart merged = parts[k];
+    const Crease& crease = creases.creases[merged.crease];
+    const double least = shortest / glm::distance(crease.a, crease.b);
+    for (++k; k < parts.size() && parts[k].crease == merged.crease &&
+              parts[k].interval.begin <= merged.interval.end + least;
+         ++k) {
+      merged.interval.end = std::max(merged.interval.end, parts[k].interval.end);
     }
-    parts[kept++] = part;
+    if (merged.interval.begin < least) merged.interval.begin = 0;
+    if (merged.interval.end > 1 - least) merged.interval.end = 1;
+    const double length = merged.interval.end - merged.interval.begin;
+    if (length >= least || length == 1) parts[kept++] = merged;
   }
   parts.resize(kept);
 }
@@ -294,7 +295,7 @@ VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Cam
   walk_pieces(tree, {options.level, camera.viewpoint()}, looker);
 
   const double joint = kJoinTolerance * unit;
-  merge_parts(looker.seen(), creases, joint);
+  merge_parts(looker.seen(), creases, kShortestGlimpse * unit);
   VisibleLines lines;
   for (const CreasePart& part : looker.seen()) {
     lines.push_back(line_of(part, creases, kinds[part.crease], false));

@@ -34,6 +34,10 @@ inline constexpr double kJoinTolerance = 1e-9;
 /// A face is seen edge-on if its direction and that to the viewer differ by less than this (sine).
 inline constexpr double kEdgeOnTolerance = 1e-12;
 
+/// Parts of a crease that are seen, or hidden, over less than this are taken for what lies beside
+/// them: where a crease passes a wall or an outline at a flat angle, the tolerances above reach far.
+inline constexpr double kShortestGlimpse = 1e-7;
+
 /// Visible line parts shorter than this are not drawn (fraction of the universe cube's diagonal).
 inline constexpr double kShortestLine = 1e-8;
 

@@ -127,13 +127,16 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
   const Surface& surface = oracle.surface();
   // Irregular places, so that symmetric scenes are not sampled at their symmetric points only.
   const auto place = [&](int k) { return (k + 0.381966) / samples; };
-  const auto is_drawn = [&](dvec2 p, const VisibleLine* except, dvec2 along) {
+  // The direction of a short step is known up to kOnLine only.
+  const auto is_drawn = [&](dvec2 p, const VisibleLine* except, dvec2 step) {
+    const dvec2 along = glm::normalize(step);
+    const double bend = 1e-6 + kOnLine / glm::length(step);
     for (const VisibleLine& line : lines) {
       if (&line == except) continue;
       const dvec2 a = oracle.project(line.a);
       const dvec2 b = oracle.project(line.b);
       const dvec2 ab = b - a;
-      if (std::abs(along.x * ab.y - along.y * ab.x) > 1e-6 * glm::length(ab)) continue;
+      if (std::abs(along.x * ab.y - along.y * ab.x) > bend * glm::length(ab)) continue;
       if (distance_to_segment(p, a, b) < kOnLine) return true;
     }
     return false;
@@ -147,8 +150,7 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
       const Vec3 point = a + place(k) * step;
       if (oracle.is_near_other_crease(point, step, kMargin)) continue;
       ++tried;
-      if (oracle.is_visible(point, step) &&
-          !is_drawn(oracle.project(point), nullptr, glm::normalize(step_seen))) {
+      if (oracle.is_visible(point, step) && !is_drawn(oracle.project(point), nullptr, step_seen)) {
         errors.push_back(text_of("a crease that is seen is not drawn", point));
       }
     }
@@ -162,7 +164,7 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
       if (!oracle.is_visible(point, step)) {
         errors.push_back(text_of("a line is drawn that is not seen", point));
       }
-      if (is_drawn(oracle.project(point), &line, glm::normalize(oracle.project(step)))) {
+      if (is_drawn(oracle.project(point), &line, oracle.project(step))) {
         errors.push_back(text_of("two lines lie on each other", point));
       }
     }
