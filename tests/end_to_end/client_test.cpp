@@ -1,0 +1,312 @@
+// spoctree-client, against the real server and against peers that misbehave.
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <atomic>
+
+#include "common/wire/messages.hpp"
+#include "common/wire/spo_file.hpp"
+#include "tests/end_to_end/programs.hpp"
+#include "tests/end_to_end/sockets.hpp"
+
+namespace spoctree::test {
+namespace {
+
+using std::filesystem::exists;
+
+class Client : public testing::Test {
+ protected:
+  std::string put(const std::string& name, const std::string& bytes) const {
+    write_file(folder_.file(name), bytes);
+    return folder_.file(name);
+  }
+  std::string piece() const { return put("piece.spo", spo_of("mechanical-piece")); }
+
+  const std::string& spo_ = spo_of("mechanical-piece");
+  const SpoFile file_{spo_, "piece"};
+  const std::uint32_t last_ = file_.level_count() - 1;
+  TemporaryFolder folder_;
+};
+
+/// Reads the one request that a client sends.
+GetRequest receive_request(const Socket& socket) {
+  FrameReader frames(kMaxRequestPayloadBytes);
+  while (true) {
+    if (const auto frame = frames.next()) return std::get<GetRequest>(open_request(*frame));
+    const std::string bytes = socket.receive();
+    if (bytes.empty()) throw std::runtime_error("the client went away");
+    frames.feed(bytes);
+  }
+}
+
+TEST_F(Client, FetchesTheFirstLevelsAndResumesToTheWholeFile) {
+  const ServerProcess server({piece()});
+  const std::string part = folder_.file("part.spo");
+  ASSERT_EQ(run_client({"fetch", server.url("piece"), "-o", part, "--levels", "3"}).code, 0);
+  const SpoFile partial(part);
+  EXPECT_EQ(partial.level_count(), 3U);
+  EXPECT_EQ(partial.frames(), file_.slice(3));
+
+  CountingProxy proxy(server.port());
+  const std::string url = "spo://127.0.0.1:" + std::to_string(proxy.port()) + "/piece";
+  const Outcome resumed = run_client({"fetch", url, "-o", part, "--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.err;
+  EXPECT_EQ(read_file(part), spo_);
+  EXPECT_EQ(proxy.bytes_from_server(), file_.frames().size() - file_.slice(3)->size());
+}
+
+TEST_F(Client, ResumingAnotherModelStartsAnew) {
+  const ServerProcess server({piece()});
+  const std::string output = put("out.spo", spo_of("saddle"));
+  // The first levels of the saddle, as an interrupted fetch leaves them.
+  const ServerProcess other({put("saddle.spo", spo_of("saddle"))});
+  ASSERT_EQ(run_client({"fetch", other.url("saddle"), "-o", output, "--levels", "1"}).code, 0);
+  const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read_file(output), spo_);
+}
+
+TEST_F(Client, FetchFromAFileCopiesIt) {
+  const Outcome outcome = run_client({"fetch", piece(), "-o", folder_.file("copy.spo")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(read_file(folder_.file("copy.spo")), spo_);
+}
+
+TEST_F(Client, LevelsReportsTheBytesOnTheSocket) {
+  const ServerProcess server({piece()});
+  CountingProxy proxy(server.port());
+  const std::string url = "spo://127.0.0.1:" + std::to_string(proxy.port()) + "/piece";
+  const Outcome outcome = run_client({"levels", url, "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string expected =
+      R"({"model":"piece","total_bytes":)" + std::to_string(proxy.bytes_from_server()) + ",";
+  EXPECT_EQ(outcome.out.substr(0, expected.size()), expected);
+  EXPECT_EQ(proxy.bytes_from_server(), file_.frames().size());
+}
+
+TEST_F(Client, LevelsSaysTheSameOfAServerAndOfAFile) {
+  const ServerProcess server({piece()});
+  for (const char* format : {"--json", "--csv"}) {
+    const Outcome remote = run_client({"levels", server.url("piece"), format});
+    const Outcome local = run_client({"levels", folder_.file("piece.spo"), format});
+    EXPECT_EQ(remote.out, local.out);
+    EXPECT_NE(remote.out, "");
+  }
+}
+
+TEST_F(Client, AsksForNoMoreLevelsThanItDraws) {
+  FakeServer server([&](Socket socket) {
+    const GetRequest request = receive_request(socket);
+    EXPECT_EQ(request.levels, 3U);
+    socket.send(*file_.slice(3));
+    socket.receive();  // the client does not wait for more: it leaves
+  });
+  const Outcome outcome = run_client(
+      {"draw", server.url(), "--level", "2", "--format", "json", "-o", folder_.file("2.json")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(read_file(folder_.file("2.json")).find("\"level\":2"), std::string::npos);
+}
+
+TEST_F(Client, DrawsEveryLevelBeforeTheNextOneArrives) {
+  const std::string output = folder_.file("drawings");
+  const auto drawing = [&](std::uint32_t level) {
+    return output + "/level-0" + std::to_string(level) + ".svg";
+  };
+  FakeServer server([&](Socket socket) {
+    receive_request(socket);
+    std::uint64_t begin = 0;
+    for (std::uint32_t level = 0; level <= last_; ++level) {
+      const std::uint64_t end = file_.level_bytes()[level].total_bytes;
+      EXPECT_FALSE(exists(drawing(level)));
+      socket.send(file_.frames().substr(begin, end - begin));
+      // The next level is withheld until the drawing of this one is there.
+      EXPECT_TRUE(wait_until([&] { return exists(drawing(level)); })) << "level " << level;
+      begin = end;
+    }
+  });
+  const Outcome outcome = run_client({"draw", server.url(), "--level", "all", "-o", output});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(exists(drawing(last_)));
+  EXPECT_FALSE(exists(drawing(last_ + 1)));
+}
+
+TEST_F(Client, DrawsTheSameFromAServerAndFromAFile) {
+  const ServerProcess server({piece()});
+  const auto draw = [&](const std::string& source) {
+    return run_client({"draw", source, "-o", "-", "--from", "-1,2,0.5", "--level", "3"});
+  };
+  const Outcome remote = draw(server.url("piece"));
+  EXPECT_EQ(remote.code, 0) << remote.err;
+  EXPECT_NE(remote.out.find("<svg"), std::string::npos);
+  // The title names the model, which has one name in both.
+  EXPECT_EQ(remote.out, draw(folder_.file("piece.spo")).out);
+}
+
+TEST_F(Client, NamesDrawingsAfterAPattern) {
+  const Outcome outcome =
+      run_client({"draw", piece(), "--level", "all", "-o", folder_.file("t%d.json")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  for (std::uint32_t level = 0; level <= last_; ++level) {
+    const std::string text =
+        read_file(folder_.file(std::string("t").append(std::to_string(level)).append(".json")));
+    EXPECT_NE(text.find("\"level\":" + std::to_string(level)), std::string::npos);
+  }
+}
+
+TEST_F(Client, RebuildsAMeshThatTheServerReads) {
+  const Outcome outcome = run_client({"rebuild", piece(), "-o", folder_.file("rebuilt.off")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const Outcome info = run_server({"info", folder_.file("rebuilt.off"), "--json"});
+  EXPECT_EQ(info.code, 0) << info.err;
+  EXPECT_NE(info.out.find("\"planes\":43"), std::string::npos) << info.out;
+}
+
+// What a client sees of a server that is killed: the end of the stream, or a reset.
+TEST_F(Client, AnInterruptedTransmissionIsANetworkErrorAndLeavesNoFile) {
+  for (const bool is_reset : {false, true}) {
+    FakeServer server([&](Socket socket) {
+      receive_request(socket);
+      socket.send(file_.frames().substr(0, file_.frames().size() / 2));
+      if (is_reset) socket.reset();
+    });
+    TemporaryFolder output;
+    const Outcome outcome = run_client({"fetch", server.url(), "-o", output.file("out.spo")});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    expect_one_complaint(outcome, "spoctree-client");
+    EXPECT_EQ(output.entries(), std::vector<std::string>{});
+  }
+}
+
+TEST_F(Client, ResumeKeepsTheWholeLevelsOfAnInterruptedTransmission) {
+  const std::uint64_t cut = file_.level_bytes()[2].total_bytes + 100;
+  TemporaryFolder output;
+  const std::string path = output.file("out.spo");
+  {
+    FakeServer server([&](Socket socket) {
+      receive_request(socket);
+      socket.send(file_.frames().substr(0, cut));
+    });
+    const Outcome outcome = run_client({"fetch", server.url(), "-o", path, "--resume"});
+    EXPECT_EQ(outcome.code, 4) << outcome.err;
+    EXPECT_EQ(SpoFile(path).level_count(), 3U);
+  }
+  FakeServer server([&](Socket socket) {
+    const GetRequest request = receive_request(socket);
+    EXPECT_EQ(request.held, SpoFile(path).resume_point());
+    socket.send(file_.frames().substr(request.held.byte));
+  });
+  EXPECT_EQ(run_client({"fetch", server.url(), "-o", path, "--resume"}).code, 0);
+  EXPECT_EQ(read_file(path), spo_);
+}
+
+TEST_F(Client, CtrlCLeavesNoTemporaryFile) {
+  TemporaryFolder output;
+  std::atomic<bool> is_under_way = false;
+  FakeServer server([&](Socket socket) {
+    receive_request(socket);
+    socket.send(file_.frames().substr(0, 1000));
+    is_under_way = true;
+    socket.receive();  // until the client is gone
+  });
+  Program client(SPOCTREE_CLIENT_PROGRAM, {"fetch", server.url(), "-o", output.file("out.spo")});
+  ASSERT_TRUE(wait_until([&] { return is_under_way && !output.entries().empty(); }));
+  client.send(SIGINT);
+  EXPECT_EQ(client.wait().code, -SIGINT);
+  EXPECT_EQ(output.entries(), std::vector<std::string>{});
+}
+
+TEST_F(Client, AServerThatSpeaksNonsenseIsBadInput) {
+  std::string damaged(file_.frames());
+  damaged[1500] = static_cast<char>(damaged[1500] ^ 4);
+  for (const std::string& answer : {std::string("HTTP/1.1 400 Bad Request\r\n\r\n"), damaged}) {
+    FakeServer server([&](Socket socket) {
+      receive_request(socket);
+      socket.send(answer);
+    });
+    const Outcome outcome =
+        run_client({"rebuild", server.url(), "-o", folder_.file("rebuilt.off")});
+    EXPECT_EQ(outcome.code, 3) << outcome.err;
+    expect_one_complaint(outcome, "spoctree-client");
+    EXPECT_FALSE(exists(folder_.file("rebuilt.off")));
+  }
+}
+
+TEST_F(Client, ABusyServerIsANetworkError) {
+  FakeServer server([&](Socket socket) {
+    receive_request(socket);
+    socket.send(seal_error({ErrorCode::Busy, "come back later"}));
+  });
+  const Outcome outcome = run_client({"levels", server.url()});
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_NE(outcome.err.find("come back later"), std::string::npos) << outcome.err;
+}
+
+TEST_F(Client, ALevelBeyondTheLastIsWrongUsageThatNamesTheLast) {
+  const ServerProcess server({piece()});
+  const std::string output = folder_.file("out");
+  for (const std::string& source : {server.url("piece"), folder_.file("piece.spo")}) {
+    for (const Arguments& arguments :
+         {Arguments{"draw", source, "-o", output, "--level", std::to_string(last_ + 1)},
+          Arguments{"rebuild", source, "-o", output, "--level", "30"},
+          Arguments{"fetch", source, "-o", output, "--levels", std::to_string(last_ + 2)}}) {
+      const Outcome outcome = run_client(arguments);
+      EXPECT_EQ(outcome.code, 2);
+      expect_one_complaint(outcome, "spoctree-client");
+      EXPECT_NE(outcome.err.find("level " + std::to_string(last_)), std::string::npos)
+          << outcome.err;
+      EXPECT_FALSE(exists(output));
+    }
+  }
+}
+
+TEST_F(Client, HasAnExitCodeForEveryFailure) {
+  const std::string spo = piece();
+  const std::string out = folder_.file("out.svg");
+  std::string damaged = spo_;
+  damaged[2000] = static_cast<char>(damaged[2000] ^ 64);
+  struct Case {
+    Arguments arguments;
+    int code;
+  };
+  for (const Case& c :
+       std::vector<Case>{{{}, 2},
+                         {{"draw", spo}, 2},
+                         {{"draw", spo, "-o", out, "--level", "two"}, 2},
+                         {{"draw", spo, "-o", out, "--level", "all"}, 2},
+                         {{"draw", spo, "-o", "-", "--level", "all"}, 2},
+                         {{"draw", spo, "-o", out, "--from", "1,2"}, 2},
+                         {{"draw", spo, "-o", out, "--from", "0,0,0"}, 2},
+                         {{"draw", spo, "-o", out, "--crease-angle", "200"}, 2},
+                         {{"draw", spo, "-o", out, "--format", "bmp"}, 2},
+                         {{"levels", spo, "--json", "--csv"}, 2},
+                         {{"levels", spo, "--rate", "0"}, 2},
+                         {{"levels", "http://127.0.0.1/x"}, 2},
+                         {{"levels", "spo://127.0.0.1:70000/x"}, 2},
+                         {{"list", spo}, 2},
+                         {{"levels", folder_.file("absent.spo")}, 3},
+                         {{"levels", put("damaged.spo", damaged)}, 3},
+                         {{"levels", put("mesh.off", off_of("cube"))}, 3},
+                         {{"draw", spo, "-o", folder_.file("no/such/folder.svg")}, 3},
+                         {{"list", "spo://127.0.0.1:1"}, 4},
+                         {{"levels", "spo://127.0.0.1:1/x"}, 4}}) {
+    const Outcome outcome = run_client(c.arguments);
+    std::string words;
+    for (const std::string& word : c.arguments) words += word + " ";
+    EXPECT_EQ(outcome.code, c.code) << words << outcome.err;
+    expect_one_complaint(outcome, "spoctree-client");
+    EXPECT_FALSE(exists(out)) << words;
+  }
+}
+
+TEST_F(Client, ARateMakesATransmissionLast) {
+  // A lower bound only: nothing can make it faster, anything can make it slower.
+  const auto begin = std::chrono::steady_clock::now();
+  const Outcome outcome = run_client({"levels", piece(), "--rate", "6000"});
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - begin;
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GT(passed.count(), static_cast<double>(file_.frames().size()) / 6000 - 0.1);
+}
+
+}  // namespace
+}  // namespace spoctree::test
