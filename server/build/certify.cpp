@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <queue>
 
 #include "common/tree/pieces.hpp"
@@ -114,9 +115,7 @@ class LevelSurvey : public PieceVisitor {
   }
 
  private:
-  bool is_in_solid(Vec3 point) const {
-    return queries_.side_of(point) == SolidQueries::Side::In;
-  }
+  bool is_in_solid(Vec3 point) const { return queries_.side_of(point) == SolidQueries::Side::In; }
 
   /// Raises `reached` to the distance of a corner of a piece from the solid.
   void consider(const PolyhedronVertex& vertex, double& reached) const {
@@ -156,12 +155,15 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
   const double unit = built.tree.universe.scale();
   const double unit_volume = unit * unit * unit;
   double inner = 0;
+  double bound = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < built.tree.levels.size(); ++k) {
     Level& level = built.tree.levels[k];
     inner += built.leaf_volumes[k];
     level.statement.inner_volume = inner * unit_volume;
     level.statement.outer_volume = (inner + survey.grey_volume[k]) * unit_volume;
-    level.statement.error_bound = level.grey_count == 0 ? 0 : survey.bound(k) * unit;
+    // T_k lies in T_k-1: what bounds the one bounds the other, whichever was found more tightly.
+    bound = level.grey_count == 0 ? 0 : std::min(bound, survey.bound(k) * unit);
+    level.statement.error_bound = bound;
   }
 }
 
