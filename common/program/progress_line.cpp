@@ -1,5 +1,6 @@
 #include "common/program/progress_line.hpp"
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -8,7 +9,14 @@ namespace spoctree {
 
 namespace {
 constexpr std::chrono::milliseconds kInterval{100};
+
+// A line that goes on in a second row could not be overwritten.
+int columns_for_text() {
+  winsize size{};
+  const bool is_known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return is_known ? size.ws_col - 1 : 79;
 }
+}  // namespace
 
 ProgressLine::ProgressLine() : is_terminal_(::isatty(STDERR_FILENO) == 1) {}
 
@@ -21,7 +29,7 @@ void ProgressLine::show(const std::string& text) {
   next_ = std::chrono::steady_clock::now() + kInterval;
   is_shown_ = true;
   // Carriage return, the text, erase to the end of the line.
-  std::fprintf(stderr, "\r%s\x1b[K", text.c_str());
+  std::fprintf(stderr, "\r%.*s\x1b[K", columns_for_text(), text.c_str());
   std::fflush(stderr);
 }
 

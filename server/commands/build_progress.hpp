@@ -1,14 +1,14 @@
 // How far a build is, on the terminal.
 #pragma once
 
-#include <string>
+#include <filesystem>
 
 #include "common/program/progress_line.hpp"
 #include "server/commands/build_model.hpp"
 
 namespace spoctree {
 
-/// Shows "NAME: building 42 %" on `line`, which must outlive the result.
-BuildProgress show_progress(ProgressLine& line, const std::string& name);
+/// Shows "MESH: building 42 %" on `line`, which must outlive the result; of `mesh` the name alone.
+BuildProgress show_progress(ProgressLine& line, const std::filesystem::path& mesh);
 
 }  // namespace spoctree

@@ -27,7 +27,7 @@ void add_model(ModelStore& store, const fs::path& path, const ModelOptions& opti
   if (is_spo(path)) return store.add_file(name, path);
   store.check_name(name, path.string());
   ProgressLine line;
-  const Model model = build_model(path, options, show_progress(line, path.string()));
+  const Model model = build_model(path, options, show_progress(line, path));
   store.add_bytes(name, path.string(), encode_spo(model.tree, model.source));
 }
 
