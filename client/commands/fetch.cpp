@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
 
 #include "client/commands/commands.hpp"
 #include "common/base/errors.hpp"
+#include "common/wire/decode.hpp"
 #include "common/wire/mapped_file.hpp"
 #include "common/wire/spo_file.hpp"
 #include "common/wire/spo_writer.hpp"
@@ -12,11 +14,21 @@ namespace spoctree {
 
 namespace {
 
-/// The frames of whole levels that are in `path` already; empty if there are none.
-std::string held_frames(const std::string& path) {
+/// The frames in `path` to build on: those of whole levels. Where they are all that is wanted, the
+/// last level is left out; the server is asked for it, and so for whether the model is the same.
+std::string held_frames(const std::string& path, std::optional<std::uint32_t> last_level) {
   if (!std::filesystem::exists(path)) return {};
   const MappedFile file(path);
-  return std::string(recover_frames(file.bytes()));
+  const std::string_view frames = recover_frames(file.bytes());
+  FrameReader reader;
+  reader.feed(frames);
+  StreamDecoder decoder;
+  while (const auto frame = reader.next()) decoder.accept(*frame);
+  std::uint32_t levels = decoder.level_count();
+  if (levels > 0 && decoder.is_complete()) --levels;
+  if (last_level) levels = std::min(levels, *last_level);
+  const std::uint64_t bytes = levels == 0 ? 0 : decoder.level_bytes()[levels - 1].total_bytes;
+  return std::string(frames.substr(0, bytes));
 }
 
 void receive(const FetchArguments& arguments, std::string_view held) {
@@ -41,7 +53,9 @@ void receive(const FetchArguments& arguments, std::string_view held) {
 }  // namespace
 
 void run_fetch(const FetchArguments& arguments) {
-  const std::string held = arguments.resume ? held_frames(arguments.output) : std::string();
+  if (arguments.output == "-") throw UsageError("fetch writes a file, not standard output");
+  std::string held;
+  if (arguments.resume) held = held_frames(arguments.output, arguments.stream.last_level);
   try {
     receive(arguments, held);
   } catch (const Refusal& refusal) {

@@ -1,5 +1,7 @@
 #include "server/commands/serve_command.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -56,6 +58,16 @@ void add_folder(ModelStore& store, const fs::path& folder, const ModelOptions& o
   }
 }
 
+// A connection is a file descriptor, and the usual soft limit is too tight for kMaxConnections.
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (::getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  const rlim_t wanted = 2 * kMaxConnections;
+  if (limit.rlim_cur >= wanted) return;
+  limit.rlim_cur = std::min(wanted, limit.rlim_max);
+  ::setrlimit(RLIMIT_NOFILE, &limit);
+}
+
 }  // namespace
 
 void run_serve(const ServeArguments& arguments) {
@@ -70,6 +82,7 @@ void run_serve(const ServeArguments& arguments) {
     }
   }
   if (store.is_empty()) throw BadInput("no model to serve");
+  raise_descriptor_limit();
   Server server(store, address);
   print("listening on " + to_text(server.address()) + "\n");
   log_info("serving " + store.names_as_text());

@@ -58,13 +58,36 @@ TEST_F(Client, FetchesTheFirstLevelsAndResumesToTheWholeFile) {
 
 TEST_F(Client, ResumingAnotherModelStartsAnew) {
   const ServerProcess server({piece()});
-  const std::string output = put("out.spo", spo_of("saddle"));
-  // The first levels of the saddle, as an interrupted fetch leaves them.
   const ServerProcess other({put("saddle.spo", spo_of("saddle"))});
-  ASSERT_EQ(run_client({"fetch", other.url("saddle"), "-o", output, "--levels", "1"}).code, 0);
-  const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
-  EXPECT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_EQ(read_file(output), spo_);
+  const std::string output = folder_.file("out.spo");
+  for (const Arguments& extent : {Arguments{}, Arguments{"--levels", "1"}}) {
+    Arguments fetch = {"fetch", other.url("saddle"), "-o", output};
+    fetch.insert(fetch.end(), extent.begin(), extent.end());
+    ASSERT_EQ(run_client(fetch).code, 0);
+    const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(read_file(output), spo_);
+  }
+}
+
+TEST_F(Client, ResumingWhatIsWholeOrDamagedEndsWithTheWholeFile) {
+  const ServerProcess server({piece()});
+  std::string damaged = spo_;
+  damaged[1500] = static_cast<char>(damaged[1500] ^ 4);
+  for (const std::string& held : {spo_, damaged, spo_.substr(0, 2000), std::string("not a .spo")}) {
+    const std::string output = put("out.spo", held);
+    const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(read_file(output), spo_);
+  }
+}
+
+TEST_F(Client, WritesThroughASymbolicLink) {
+  const std::string target = put("target.spo", "old");
+  std::filesystem::create_symlink(target, folder_.file("link.spo"));
+  ASSERT_EQ(run_client({"fetch", piece(), "-o", folder_.file("link.spo")}).code, 0);
+  EXPECT_TRUE(std::filesystem::is_symlink(folder_.file("link.spo")));
+  EXPECT_EQ(read_file(target), spo_);
 }
 
 TEST_F(Client, FetchFromAFileCopiesIt) {
@@ -284,6 +307,7 @@ TEST_F(Client, HasAnExitCodeForEveryFailure) {
                          {{"levels", "http://127.0.0.1/x"}, 2},
                          {{"levels", "spo://127.0.0.1:70000/x"}, 2},
                          {{"list", spo}, 2},
+                         {{"fetch", spo, "-o", "-"}, 2},
                          {{"levels", folder_.file("absent.spo")}, 3},
                          {{"levels", put("damaged.spo", damaged)}, 3},
                          {{"levels", put("mesh.off", off_of("cube"))}, 3},
