@@ -1,9 +1,56 @@
 #include "client/lines/outline.hpp"
 
+#include <cmath>
+
 namespace spoctree {
 
-OutlineFinder::OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera)
-    : camera_(camera) {
+namespace {
+
+/// Corners are off by 2^-45 at most, a hundred times less than this fraction of the tolerance; an
+/// edge longer than kShortEdge points where it should up to 1e-7.
+constexpr double kStraight = 1.0 / 16;
+constexpr double kShortEdge = 1e-6;
+
+bool is_superfluous(Vec2 before, Vec2 corner, Vec2 after, double tolerance) {
+  const double length = glm::distance(before, corner);
+  if (length <= tolerance) return true;
+  if (length > kShortEdge && glm::distance(corner, after) > kShortEdge) return false;
+  const Vec2 along = after - before;
+  const double span = glm::length(along);
+  const Vec2 off = corner - before;
+  return std::abs(along.x * off.y - along.y * off.x) <= kStraight * tolerance * span;
+}
+
+}  // namespace
+
+void straighten(std::vector<Vec2>& polygon, double tolerance) {
+  std::size_t kept = 0;
+  for (const Vec2 corner : polygon) {
+    while (kept > 1 && is_superfluous(polygon[kept - 2], polygon[kept - 1], corner, tolerance)) {
+      --kept;
+    }
+    polygon[kept++] = corner;
+  }
+  // Round the end.
+  std::size_t first = 0;
+  for (bool changed = true; changed && kept - first > 2;) {
+    changed = false;
+    if (is_superfluous(polygon[kept - 2], polygon[kept - 1], polygon[first], tolerance)) {
+      --kept;
+      changed = true;
+    } else if (is_superfluous(polygon[kept - 1], polygon[first], polygon[first + 1], tolerance)) {
+      ++first;
+      changed = true;
+    }
+  }
+  polygon.resize(kept);
+  polygon.erase(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(first));
+  if (polygon.size() < 3) polygon.clear();
+}
+
+OutlineFinder::OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera,
+                             double tolerance)
+    : camera_(camera), tolerance_(tolerance) {
   facing_table_.reserve(table_size);
   for (std::size_t i = 0; i < table_size; ++i) {
     const Plane plane = planes[PlaneRef::of_table(static_cast<std::uint32_t>(i))];
@@ -35,6 +82,7 @@ void OutlineFinder::find(const Polyhedron& piece, std::vector<Vec2>& outline) {
     outline.push_back(camera_.project(piece.vertices[at].position));
     at = next_[at];
   } while (at != start && at != kNone && outline.size() <= piece.vertices.size());
+  straighten(outline, tolerance_);
 }
 
 }  // namespace spoctree

@@ -8,11 +8,18 @@
 
 namespace spoctree {
 
+/// Leaves out corners of a convex polygon that are nearer than `tolerance` to the one before, and
+/// those next to a short edge that stand off the straight line past them by less than a fraction of
+/// it: between such corners, rounding decides where the edge points, and an edge that points astray
+/// cuts off what is far away. Nothing is left of a polygon without area.
+void straighten(std::vector<Vec2>& polygon, double tolerance);
+
 /// Projects pieces. Holds working memory: use one per thread.
 class OutlineFinder {
  public:
-  /// REQUIRES: `planes` refers to a table that outlives the finder.
-  OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera);
+  /// `tolerance` as in `straighten`. REQUIRES: `camera` outlives the finder.
+  OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera,
+                double tolerance);
 
   /// Camera::facing of the plane, looked up.
   int facing(PlaneRef plane) const {
@@ -22,11 +29,12 @@ class OutlineFinder {
 
   /// The outline in picture coordinates, counter-clockwise; empty if no face faces the viewer. The
   /// polygon is that of the faces that do, so neighbouring pieces have their outlines' corners from
-  /// the same points of space. O(corners).
+  /// the same points of space. Straightened. O(corners).
   void find(const Polyhedron& piece, std::vector<Vec2>& outline);
 
  private:
   const Camera& camera_;
+  double tolerance_;
   std::vector<signed char> facing_table_;
   signed char facing_walls_[3];
   std::vector<std::uint32_t> next_;

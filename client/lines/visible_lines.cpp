@@ -25,8 +25,9 @@ class Looker : public PieceVisitor {
         camera_(camera),
         tolerance_(kPictureTolerance * unit),
         reach_(kCreaseTolerance * unit),
+        sweep_(kCreaseDepthTolerance * unit),
         planes_(tree.plane_set()),
-        outlines_(planes_, tree.planes.size(), camera),
+        outlines_(planes_, tree.planes.size(), camera, tolerance_),
         pool_(creases.creases, std::move(open), reach_),
         covered_(covered) {}
 
@@ -36,15 +37,19 @@ class Looker : public PieceVisitor {
       // What can be seen of it lies behind full tiles; so do the creases on it.
       if (!pool_.frame_is_empty()) {
         taken_.clear();
-        pool_.take(half_spaces_of(region), taken_);
+        half_spaces_.clear();
+        for (const Polyhedron::Face& face : region.faces) {
+          half_spaces_.push_back(planes_[face.plane]);
+        }
+        pool_.take(half_spaces_, taken_);
       }
       return false;
     }
     half_spaces_.clear();
     for (int axis = 0; axis < 3; ++axis) {
       const std::uint32_t lower = address.lower[axis];
-      half_spaces_.push_back(planes_[PlaneRef::of_wall(axis, lower).flipped()]);
-      half_spaces_.push_back(planes_[PlaneRef::of_wall(axis, lower + address.size())]);
+      half_spaces_.push_back(swept(PlaneRef::of_wall(axis, lower).flipped()));
+      half_spaces_.push_back(swept(PlaneRef::of_wall(axis, lower + address.size())));
     }
     pool_.open_frame(half_spaces_);
     return true;
@@ -54,7 +59,8 @@ class Looker : public PieceVisitor {
     outlines_.find(piece, outline_);
     if (!pool_.frame_is_empty()) {
       taken_.clear();
-      pool_.take(half_spaces_of(piece), taken_);
+      find_swept_half_spaces(piece);
+      pool_.take(half_spaces_, taken_);
       for (const CreasePart& part : taken_) look_at(part, piece);
     }
     covered_.cover(outline_);
@@ -77,12 +83,27 @@ class Looker : public PieceVisitor {
     return extent;
   }
 
-  std::span<const Plane> half_spaces_of(const Polyhedron& polyhedron) {
+  /// The piece swept as `swept` says: its faces, then what lies under its outline, edge by edge
+  /// (for the half-spaces of the faces grow aside, too).
+  void find_swept_half_spaces(const Polyhedron& piece) {
     half_spaces_.clear();
-    for (const Polyhedron::Face& face : polyhedron.faces) {
-      half_spaces_.push_back(planes_[face.plane]);
+    for (const Polyhedron::Face& face : piece.faces) half_spaces_.push_back(swept(face.plane));
+    for (std::size_t k = 0; k < outline_.size(); ++k) {
+      const Vec2 from = outline_[k];
+      const Vec2 along = outline_[k + 1 == outline_.size() ? 0 : k + 1] - from;
+      const Vec2 outwards = Vec2{along.y, -along.x} / glm::length(along);
+      half_spaces_.push_back(
+          {outwards.x * camera_.right() + outwards.y * camera_.up(), glm::dot(outwards, from)});
     }
-    return half_spaces_;
+  }
+
+  /// The half-space swept a little away from the viewer. A crease close behind a piece, and in the
+  /// picture on its outline, is the piece's own up to rounding: faces that are almost seen edge-on
+  /// make much depth of little breadth.
+  Plane swept(PlaneRef ref) const {
+    Plane plane = planes_[ref];
+    plane.offset += sweep_ * std::max(0.0, -glm::dot(plane.normal, camera_.toward_viewer()));
+    return plane;
   }
 
   /// Judges a part of a crease that `piece`, whose outline is `outline_`, is the first to touch.
@@ -128,7 +149,8 @@ class Looker : public PieceVisitor {
   }
 
   /// The sides beside which the line of sight enters the piece itself: all of the piece's faces
-  /// that the part lies on look away. REQUIRES: `half_spaces_` are those of the piece.
+  /// that the part lies on look away. REQUIRES: find_swept_half_spaces(piece) (that
+  /// those of faces that look away are swept does not matter).
   LineSides sides_blocked_by(const Polyhedron& piece, const CreasePart& part) const {
     const Crease& crease = creases_.creases[part.crease];
     const Vec3 along = crease.b - crease.a;
@@ -165,6 +187,7 @@ class Looker : public PieceVisitor {
   const Camera& camera_;
   const double tolerance_;
   const double reach_;
+  const double sweep_;
   const PlaneSet planes_;
   OutlineFinder outlines_;
   CreasePool pool_;

@@ -28,6 +28,9 @@ inline constexpr double kPictureTolerance = 1e-10;
 /// stand off the exact ones by up to kWeldTolerance.
 inline constexpr double kCreaseTolerance = 3e-10;
 
+/// The same in the direction of sight, behind the piece.
+inline constexpr double kCreaseDepthTolerance = 1e-7;
+
 /// Consecutive lines become one line if their joints stand off it by less than this.
 inline constexpr double kJoinTolerance = 1e-9;
 
