@@ -76,92 +76,135 @@ int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSe
 }
 
 ClipResult PolyhedronClipper::clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes) {
-  const std::size_t vertex_count = polyhedron.vertices.size();
   const Plane coefficients = planes[plane];
-  side_.resize(vertex_count);
-  bool any_inside = false;
-  bool any_outside = false;
-  for (std::size_t i = 0; i < vertex_count; ++i) {
+  const Parts parts = find_sides(polyhedron, plane, coefficients, planes);
+  if (!parts.inside) return ClipResult::Empty;
+  if (!parts.outside) return ClipResult::Unchanged;
+  crossings_.clear();
+  make_part(polyhedron, -1, plane, coefficients, planes, result_);
+  std::swap(polyhedron, result_);
+  return ClipResult::Cut;
+}
+
+PolyhedronClipper::Parts PolyhedronClipper::split(const Polyhedron& whole, PlaneRef plane,
+                                                  const PlaneSet& planes, Polyhedron& inside,
+                                                  Polyhedron& outside) {
+  const Plane coefficients = planes[plane];
+  const Parts parts = find_sides(whole, plane, coefficients, planes);
+  if (!parts.outside) {
+    inside = whole;
+  } else if (!parts.inside) {
+    outside = whole;
+  } else {
+    crossings_.clear();
+    make_part(whole, -1, plane, coefficients, planes, inside);
+    make_part(whole, 1, plane.flipped(), coefficients, planes, outside);
+  }
+  return parts;
+}
+
+PolyhedronClipper::Parts PolyhedronClipper::find_sides(const Polyhedron& polyhedron, PlaneRef plane,
+                                                       const Plane& coefficients,
+                                                       const PlaneSet& planes) {
+  Parts parts;
+  side_.resize(polyhedron.vertices.size());
+  for (std::size_t i = 0; i < side_.size(); ++i) {
     side_[i] = static_cast<signed char>(
         side_of(polyhedron.vertices[i], plane.carrier(), coefficients, planes));
-    any_inside |= side_[i] < 0;
-    any_outside |= side_[i] > 0;
+    parts.inside |= side_[i] < 0;
+    parts.outside |= side_[i] > 0;
   }
-  if (!any_inside) return ClipResult::Empty;
-  if (!any_outside) return ClipResult::Unchanged;
+  return parts;
+}
 
-  result_.clear();
-  created_.clear();
-  rim_.clear();
-  constexpr auto kNone = static_cast<std::uint32_t>(-1);
-  renumbered_.assign(vertex_count, kNone);
-  const auto keep = [&](std::uint32_t old) {
-    if (renumbered_[old] == kNone) {
-      renumbered_[old] = static_cast<std::uint32_t>(result_.vertices.size());
-      result_.vertices.push_back(polyhedron.vertices[old]);
-    }
-    return renumbered_[old];
-  };
-  // The two faces of an edge see it in opposite directions and share the new vertex.
-  const auto cut = [&](std::uint32_t u, std::uint32_t v, PlaneRef face, PlaneRef across) {
-    const std::uint32_t from = std::min(u, v);
-    const std::uint32_t to = std::max(u, v);
-    for (const Created& c : created_) {
-      if (c.from == from && c.to == to) return c.vertex;
-    }
-    const auto vertex = static_cast<std::uint32_t>(result_.vertices.size());
+/// The two faces of an edge see it in opposite directions, and so do the two parts: they share the
+/// new vertex.
+std::uint32_t PolyhedronClipper::cross(std::uint32_t u, std::uint32_t v, PlaneRef face,
+                                       PlaneRef across, PlaneRef plane, const Plane& coefficients,
+                                       const PlaneSet& planes, Polyhedron& part) {
+  const std::uint32_t from = std::min(u, v);
+  const std::uint32_t to = std::max(u, v);
+  auto found = std::find_if(crossings_.begin(), crossings_.end(), [&](const Crossing& crossing) {
+    return crossing.from == from && crossing.to == to;
+  });
+  if (found == crossings_.end()) {
     const ApproximatePoint point = intersection_point(planes[face], planes[across], coefficients);
-    result_.vertices.push_back({point.position, point.error, {face, across, plane}});
-    created_.push_back({from, to, vertex});
-    return vertex;
-  };
+    crossings_.push_back({from, to, {point.position, point.error, {face, across, plane}}, kNone});
+    found = crossings_.end() - 1;
+  }
+  if (found->vertex == kNone) {
+    found->vertex = static_cast<std::uint32_t>(part.vertices.size());
+    part.vertices.push_back(found->point);
+    part.vertices.back().planes[2] = plane;
+  }
+  return found->vertex;
+}
 
+/// `part` becomes what lies on `kept_side`; `plane` is oriented away from it.
+void PolyhedronClipper::make_part(const Polyhedron& polyhedron, int kept_side, PlaneRef plane,
+                                  const Plane& coefficients, const PlaneSet& planes,
+                                  Polyhedron& part) {
+  part.clear();
+  rim_.clear();
+  for (Crossing& crossing : crossings_) crossing.vertex = kNone;
+  renumbered_.assign(polyhedron.vertices.size(), kNone);
+  // Below zero what is kept, above zero what is not.
+  const int turn = -kept_side;
   for (const Polyhedron::Face& face : polyhedron.faces) {
     const auto loop = polyhedron.loop(face);
-    if (std::none_of(loop.begin(), loop.end(), [&](auto& c) { return side_[c.vertex] < 0; })) {
+    if (std::none_of(loop.begin(), loop.end(),
+                     [&](const auto& corner) { return side_[corner.vertex] == kept_side; })) {
       continue;
     }
-    const auto first = static_cast<std::uint32_t>(result_.corners.size());
+    const auto first = static_cast<std::uint32_t>(part.corners.size());
+    int there = side_[loop[0].vertex] * turn;
     for (std::size_t k = 0; k < loop.size(); ++k) {
       const auto& corner = loop[k];
-      const auto& next = loop[k + 1 == loop.size() ? 0 : k + 1];
-      const int here = side_[corner.vertex];
-      const int there = side_[next.vertex];
+      const std::uint32_t next = loop[k + 1 == loop.size() ? 0 : k + 1].vertex;
+      const int here = there;
+      there = side_[next] * turn;
       if (here <= 0) {
+        std::uint32_t& number = renumbered_[corner.vertex];
+        if (number == kNone) {
+          number = static_cast<std::uint32_t>(part.vertices.size());
+          part.vertices.push_back(polyhedron.vertices[corner.vertex]);
+        }
         // An edge that leaves the inner side, or touches the plane with both ends, continues (or
         // lies) on the rim; otherwise it stays the edge it was.
         const bool on_rim = here == 0 && there >= 0;
-        result_.corners.push_back({keep(corner.vertex), on_rim ? plane : corner.across});
+        part.corners.push_back({number, on_rim ? plane : corner.across});
       }
       if (here * there < 0) {
-        const std::uint32_t vertex = cut(corner.vertex, next.vertex, face.plane, corner.across);
-        result_.corners.push_back({vertex, here < 0 ? plane : corner.across});
+        const std::uint32_t vertex = cross(corner.vertex, next, face.plane, corner.across, plane,
+                                           coefficients, planes, part);
+        part.corners.push_back({vertex, here < 0 ? plane : corner.across});
       }
     }
-    const auto count = static_cast<std::uint32_t>(result_.corners.size()) - first;
-    result_.faces.push_back({face.plane, first, count});
+    const auto count = static_cast<std::uint32_t>(part.corners.size()) - first;
+    part.faces.push_back({face.plane, first, count});
     for (std::uint32_t k = 0; k < count; ++k) {
-      const auto& corner = result_.corners[first + k];
+      const auto& corner = part.corners[first + k];
       if (corner.across != plane) continue;
-      const auto& next = result_.corners[first + (k + 1 == count ? 0 : k + 1)];
+      const auto& next = part.corners[first + (k + 1 == count ? 0 : k + 1)];
       rim_.push_back({next.vertex, corner.vertex, face.plane});
     }
   }
+  close_rim(plane, part);
+}
 
-  // The new face: the rim, seen from outside.
-  const auto first = static_cast<std::uint32_t>(result_.corners.size());
+/// The new face: the rim, seen from outside.
+void PolyhedronClipper::close_rim(PlaneRef plane, Polyhedron& part) {
+  const auto first = static_cast<std::uint32_t>(part.corners.size());
   std::uint32_t at = rim_.front().from;
   for (std::size_t k = 0; k < rim_.size(); ++k) {
     const auto edge =
         std::find_if(rim_.begin(), rim_.end(), [&](const Rim& rim) { return rim.from == at; });
     assert(edge != rim_.end());
-    result_.corners.push_back({at, edge->inside});
+    part.corners.push_back({at, edge->inside});
     at = edge->to;
   }
   assert(at == rim_.front().from);
-  result_.faces.push_back({plane, first, static_cast<std::uint32_t>(rim_.size())});
-  std::swap(polyhedron, result_);
-  return ClipResult::Cut;
+  part.faces.push_back({plane, first, static_cast<std::uint32_t>(rim_.size())});
 }
 
 double volume(const Polyhedron& polyhedron) {

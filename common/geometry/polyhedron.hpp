@@ -55,16 +55,40 @@ class PolyhedronClipper {
   /// the number of edges cut).
   ClipResult clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes);
 
+  /// Which parts of a divided polyhedron have an interior: one of them at least.
+  struct Parts {
+    bool inside = false;
+    bool outside = false;
+  };
+  /// Both of clip(plane) and clip(plane.flipped()), with the same results, for less than the price
+  /// of two: a part that has no interior is unspecified. REQUIRES: three different polyhedra.
+  Parts split(const Polyhedron& whole, PlaneRef plane, const PlaneSet& planes, Polyhedron& inside,
+              Polyhedron& outside);
+
  private:
-  struct Created {
-    std::uint32_t from, to, vertex;
+  /// An edge that the plane crosses, and the vertex there.
+  struct Crossing {
+    std::uint32_t from, to;
+    PolyhedronVertex point;
+    std::uint32_t vertex;  ///< its number in the part being made, or kNone
   };
   struct Rim {
     std::uint32_t from, to;
     PlaneRef inside;
   };
+  static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+
+  Parts find_sides(const Polyhedron& polyhedron, PlaneRef plane, const Plane& coefficients,
+                   const PlaneSet& planes);
+  void make_part(const Polyhedron& polyhedron, int kept_side, PlaneRef plane,
+                 const Plane& coefficients, const PlaneSet& planes, Polyhedron& part);
+  std::uint32_t cross(std::uint32_t u, std::uint32_t v, PlaneRef face, PlaneRef across,
+                      PlaneRef plane, const Plane& coefficients, const PlaneSet& planes,
+                      Polyhedron& part);
+  void close_rim(PlaneRef plane, Polyhedron& part);
+
   std::vector<signed char> side_;
-  std::vector<Created> created_;
+  std::vector<Crossing> crossings_;
   std::vector<Rim> rim_;
   std::vector<std::uint32_t> renumbered_;
   Polyhedron result_;

@@ -118,18 +118,28 @@ class Walker {
     const auto kinds = tree_.levels[parent.level + 1].kinds.begin() + first_child;
     const PlaneRef middle = PlaneRef::of_wall(axis, parent.lower[axis] + parent.size() / 2);
     const std::uint32_t near = viewpoint_ && viewer_is_outside(middle) ? 1 : 0;
-    for (const std::uint32_t half : {near, 1 - near}) {
-      const std::uint32_t first = octant | half * bit;
-      if (std::none_of(kinds + first, kinds + first + bit,
-                       [&](NodeKind kind) { return is_wanted(kind); })) {
-        continue;
-      }
-      Polyhedron& part = scratch();
-      part = region;
-      if (clip(part, half == 1 ? middle.flipped() : middle)) {
-        visit_children(parent, first_child, part, axis - 1, first);
-      }
+    const auto is_half_wanted = [&](std::uint32_t half) {
+      const auto first = kinds + (octant | half * bit);
+      return std::any_of(first, first + bit, [&](NodeKind kind) { return is_wanted(kind); });
+    };
+    const bool wants_near = is_half_wanted(near);
+    const bool wants_far = is_half_wanted(1 - near);
+    const PlaneRef near_side = near == 1 ? middle.flipped() : middle;
+    const auto visit_half = [&](std::uint32_t half, Polyhedron& part) {
+      visit_children(parent, first_child, part, axis - 1, octant | half * bit);
+    };
+    if (wants_near && wants_far) {
+      Polyhedron& near_part = scratch();
+      Polyhedron& far_part = scratch();
+      const auto parts = clipper_.split(region, near_side, planes_, near_part, far_part);
+      if (parts.inside) visit_half(near, near_part);
+      if (parts.outside) visit_half(1 - near, far_part);
       release();
+      release();
+    } else if (wants_near) {
+      if (clip(region, near_side)) visit_half(near, region);
+    } else if (wants_far) {
+      if (clip(region, near_side.flipped())) visit_half(1 - near, region);
     }
   }
 
@@ -161,16 +171,15 @@ class Walker {
         near_side = plane.flipped();
       }
       Polyhedron& near_part = scratch();
-      near_part = part;
-      const bool has_near_part = clip(near_part, near_side);
-      const bool has_far_part = clip(part, near_side.flipped());
-      if (has_far_part) {
+      const auto parts = clipper_.split(part, near_side, planes_, near_part, far_part_);
+      if (parts.outside) {
+        std::swap(part, far_part_);
         open_parts_.back() = far_token;
       } else {
         std::swap(part, near_part);
         open_parts_.back() = near_token;
       }
-      if (has_near_part && has_far_part) {
+      if (parts.inside && parts.outside) {
         open_parts_.push_back(near_token);
       } else {
         release();
@@ -187,6 +196,7 @@ class Walker {
   PolyhedronClipper clipper_;
   std::deque<Polyhedron> storage_;  // a deque: references stay valid while it grows
   std::size_t used_ = 0;
+  Polyhedron far_part_;                           // of the split at hand
   std::vector<const std::uint32_t*> open_parts_;  // where their expressions go on
   std::uint32_t part_ = 0;
 };

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "common/geometry/predicates.hpp"
 #include "tests/support/grid_planes.hpp"
 #include "tests/support/polyhedron_checks.hpp"
@@ -29,6 +31,25 @@ struct Workpiece {
   }
   PlaneSet planes() const { return {table, half_side}; }
 };
+
+/// Equal in everything, to the last bit of the positions.
+bool are_same(const Polyhedron& a, const Polyhedron& b) {
+  const auto equal = [](const auto& x, const auto& y, auto&& compare) {
+    return std::equal(x.begin(), x.end(), y.begin(), y.end(), compare);
+  };
+  return equal(a.vertices, b.vertices,
+               [](const PolyhedronVertex& x, const PolyhedronVertex& y) {
+                 return x.position == y.position && x.error == y.error &&
+                        std::equal(x.planes, x.planes + 3, y.planes);
+               }) &&
+         equal(a.corners, b.corners,
+               [](const Polyhedron::Corner& x, const Polyhedron::Corner& y) {
+                 return x.vertex == y.vertex && x.across == y.across;
+               }) &&
+         equal(a.faces, b.faces, [](const Polyhedron::Face& x, const Polyhedron::Face& y) {
+           return x.plane == y.plane && x.first == y.first && x.count == y.count;
+         });
+}
 
 /// Clips both sides by one more plane and compares with enumeration. False if nothing is left.
 bool clip_and_check(Workpiece& work, PolyhedronClipper& clipper, PlaneRef ref) {
@@ -59,6 +80,15 @@ bool clip_and_check(Workpiece& work, PolyhedronClipper& clipper, PlaneRef ref) {
   EXPECT_FALSE(results[0] == ClipResult::Empty && results[1] == ClipResult::Empty);
   EXPECT_EQ(results[0] == ClipResult::Unchanged, results[1] == ClipResult::Empty);
   EXPECT_EQ(results[1] == ClipResult::Unchanged, results[0] == ClipResult::Empty);
+  // The same again, both at once.
+  Polyhedron halves[2];
+  const PolyhedronClipper::Parts found =
+      clipper.split(work.polyhedron, ref, work.planes(), halves[0], halves[1]);
+  for (int side = 0; side < 2; ++side) {
+    const bool has_part = results[side] != ClipResult::Empty;
+    EXPECT_EQ(side == 0 ? found.inside : found.outside, has_part);
+    EXPECT_TRUE(!has_part || are_same(halves[side], sides[side].polyhedron));
+  }
   work = std::move(sides[0]);
   return results[0] != ClipResult::Empty;
 }
