@@ -9,20 +9,20 @@
 
 namespace spoctree {
 
-/// Sums of LineEnd::count by line, face and vertex, in order of first appearance.
+/// Sums of LineEnd::count by line and vertex, in order of first appearance.
 class LineEndSum {
  public:
-  void add(std::uint32_t face, std::uint32_t across, std::uint32_t vertex, std::int32_t count) {
+  void add(std::uint32_t low, std::uint32_t high, std::uint32_t vertex, std::int32_t count) {
     if (2 * (sums_.size() + 1) > slots_.size()) grow();
-    std::size_t i = start_of(face, across, vertex);
+    std::size_t i = start_of(low, high, vertex);
     for (; slots_[i] != 0; i = (i + 1) & (slots_.size() - 1)) {
       LineEnd& sum = sums_[slots_[i] - 1];
-      if (sum.vertex == vertex && sum.face == face && sum.across == across) {
+      if (sum.vertex == vertex && sum.low == low && sum.high == high) {
         sum.count += count;
         return;
       }
     }
-    sums_.push_back({face, across, vertex, count});
+    sums_.push_back({low, high, vertex, count});
     slots_[i] = static_cast<std::uint32_t>(sums_.size());
   }
 
@@ -40,8 +40,8 @@ class LineEndSum {
   }
 
  private:
-  std::size_t start_of(std::uint32_t face, std::uint32_t across, std::uint32_t vertex) const {
-    const std::uint64_t line = (std::uint64_t{face} << 32 | across) * 0x9e3779b97f4a7c15u;
+  std::size_t start_of(std::uint32_t low, std::uint32_t high, std::uint32_t vertex) const {
+    const std::uint64_t line = (std::uint64_t{low} << 32 | high) * 0x9e3779b97f4a7c15u;
     const std::uint64_t key = (line ^ vertex) * 0xd6e8feb86659fd93u;
     return (key ^ (key >> 32)) & (slots_.size() - 1);
   }
@@ -49,7 +49,7 @@ class LineEndSum {
   void grow() {
     slots_.assign(std::max<std::size_t>(256, 2 * slots_.size()), 0u);
     for (std::size_t k = 0; k < sums_.size(); ++k) {
-      std::size_t i = start_of(sums_[k].face, sums_[k].across, sums_[k].vertex);
+      std::size_t i = start_of(sums_[k].low, sums_[k].high, sums_[k].vertex);
       while (slots_[i] != 0) i = (i + 1) & (slots_.size() - 1);
       slots_[i] = static_cast<std::uint32_t>(k + 1);
     }

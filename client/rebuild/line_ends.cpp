@@ -1,8 +1,9 @@
 #include "client/rebuild/line_ends.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
+#include <utility>
 
 #include "client/rebuild/line_end_sum.hpp"
 #include "common/tree/pieces.hpp"
@@ -29,17 +30,20 @@ class Collector : public PieceVisitor {
       const CarrierSide side = sides_[f];
       std::uint8_t& known_sides = result_.sides[side >> 1];
       known_sides = static_cast<std::uint8_t>(known_sides | (1u << (side & 1)));
+      const std::uint32_t carrier = side >> 1;
       const auto loop = piece.loop(piece.faces[f]);
-      std::uint32_t from = ids_[loop.back().vertex];
-      std::uint32_t across = carrier_of(piece, loop.back().across);
-      for (const Polyhedron::Corner& corner : loop) {
-        const std::uint32_t to = ids_[corner.vertex];
-        if (from != to) {
-          sum.add(side >> 1, across, from, -1);
-          sum.add(side >> 1, across, to, 1);
-        }
-        from = to;
-        across = carrier_of(piece, corner.across);
+      for (std::size_t k = 0; k < loop.size(); ++k) {
+        // Each edge once, from one of its faces.
+        if (loop[k].across < piece.faces[f].plane) continue;
+        const std::uint32_t across = carrier_of(piece, loop[k].across);
+        std::uint32_t from = ids_[loop[k].vertex];
+        std::uint32_t to = ids_[loop[k + 1 == loop.size() ? 0 : k + 1].vertex];
+        if (from == to) continue;
+        if (carrier > across) std::swap(from, to);
+        const std::uint32_t low = std::min(carrier, across);
+        const std::uint32_t high = std::max(carrier, across);
+        sum.add(low, high, from, -1);
+        sum.add(low, high, to, 1);
       }
     }
   }
@@ -61,7 +65,7 @@ class Collector : public PieceVisitor {
       if (is_inside) {
         result_.ends.push_back(end);
       } else {
-        outer.add(end.face, end.across, end.vertex, end.count);
+        outer.add(end.low, end.high, end.vertex, end.count);
       }
     });
   }

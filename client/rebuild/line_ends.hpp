@@ -16,12 +16,13 @@
 
 namespace spoctree {
 
-/// On the line in which the carriers `face` and `across` meet, the edges of faces on `face` (run
+/// On the line in which the carriers `low` < `high` meet, the edges of faces on `low` (run
 /// counter-clockwise seen from outside their pieces) end in `vertex` as many times more than they
-/// begin there as `count` says.
+/// begin there as `count` says. The edges of faces on `high` do the opposite: an edge of a piece
+/// has a face on either, and they run along it in opposite directions.
 struct LineEnd {
-  std::uint32_t face = 0;
-  std::uint32_t across = 0;
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
   std::uint32_t vertex = 0;
   std::int32_t count = 0;
 };

@@ -15,20 +15,16 @@ class LineSubdivider {
 
   /// `ends` are all those of one line.
   void subdivide(std::span<const LineEnd> ends) {
-    const std::uint32_t low = std::min(ends.front().face, ends.front().across);
-    const std::uint32_t high = std::max(ends.front().face, ends.front().across);
-    sort_stations(ends, low);
+    sort_stations(ends);
     std::int32_t on_low = 0;
-    std::int32_t on_high = 0;
     for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
       // Behind the end of an edge that runs towards it, there is one less.
-      on_low -= stations_[i].low;
-      on_high -= stations_[i].high;
+      on_low -= stations_[i].count;
       const std::uint32_t a = stations_[i].vertex;
       const std::uint32_t b = stations_[i + 1].vertex;
-      if (a == b) continue;
-      if (on_low != 0) result_.push_back(directed_edge(a, b, low, on_low));
-      if (on_high != 0) result_.push_back(directed_edge(a, b, high, on_high));
+      if (a == b || on_low == 0) continue;
+      result_.push_back(directed_edge(a, b, ends.front().low, on_low));
+      result_.push_back(directed_edge(a, b, ends.front().high, -on_low));
     }
   }
 
@@ -36,11 +32,10 @@ class LineSubdivider {
   struct Station {
     double along = 0;
     std::uint32_t vertex = 0;
-    std::int32_t low = 0;
-    std::int32_t high = 0;
+    std::int32_t count = 0;
   };
 
-  void sort_stations(std::span<const LineEnd> ends, std::uint32_t low_carrier) {
+  void sort_stations(std::span<const LineEnd> ends) {
     Vec3 lower = positions_[ends.front().vertex];
     Vec3 upper = lower;
     for (const LineEnd& end : ends) {
@@ -52,9 +47,7 @@ class LineSubdivider {
         extent.x >= extent.y ? (extent.x >= extent.z ? 0 : 2) : (extent.y >= extent.z ? 1 : 2);
     stations_.clear();
     for (const LineEnd& end : ends) {
-      const bool is_low = end.face == low_carrier;
-      stations_.push_back({positions_[end.vertex][axis], end.vertex, is_low ? end.count : 0,
-                           is_low ? 0 : end.count});
+      stations_.push_back({positions_[end.vertex][axis], end.vertex, end.count});
     }
     std::sort(stations_.begin(), stations_.end(), [](const Station& s, const Station& t) {
       return s.along != t.along ? s.along < t.along : s.vertex < t.vertex;
@@ -71,8 +64,7 @@ class LineSubdivider {
 Chain subdivide_lines(std::vector<LineEnd>& ends, std::uint32_t carrier_count,
                       std::span<const Vec3> positions) {
   const auto key = [&](const LineEnd& end) {
-    return std::min(end.face, end.across) * static_cast<std::uint64_t>(carrier_count) +
-           std::max(end.face, end.across);
+    return end.low * static_cast<std::uint64_t>(carrier_count) + end.high;
   };
   radix_sort(ends, static_cast<std::uint64_t>(carrier_count) * carrier_count, key);
   Chain chain;
