@@ -25,8 +25,12 @@ class Builder {
     result_.tree.universe = solid_.universe;
     Cell root;
     root.boundary = whole_boundary(solid_);
-    // The universe cube is larger than the solid.
-    root.corners.fill(CornerState::Outside);
+    // Import makes the universe cube larger than the solid, but it may be of the same size.
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      const auto side = queries_.side_of(root.corner_position(solid_, octant));
+      root.corners[octant] =
+          side == SolidQueries::Side::Out ? CornerState::Outside : CornerState::Boundary;
+    }
     Decision decision;
     classifier_.classify(root, decision);
     append(root, decision);

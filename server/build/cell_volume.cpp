@@ -7,7 +7,9 @@ namespace spoctree {
 
 namespace {
 
-/// Is there material at the corner, seen from within the cell?
+/// Is there material at the corner, seen from within the cell? Where the boundary passes through
+/// the corner, it is asked a step along z away from it, a far smaller step along y, and a still
+/// smaller one along x: away from what ends in the corner, then from what lies in the edge along z.
 bool is_material_at(const Solid& solid, const SolidQueries& queries, const Cell& cell,
                     unsigned octant) {
   if (cell.corners[octant] != CornerState::Unknown &&
@@ -16,7 +18,7 @@ bool is_material_at(const Solid& solid, const SolidQueries& queries, const Cell&
   }
   const Vec3 corner = cell.corner_position(solid, octant);
   const Vec3 centre = 0.5 * (cell.corner_position(solid, 0) + cell.corner_position(solid, 7));
-  const Vec3 within = corner + (centre - corner) * Vec3{0x1.1p-20, 0x1.3p-20, 0x1.7p-20};
+  const Vec3 within = corner + (centre - corner) * Vec3{0x1.1p-30, 0x1.3p-20, 0x1.7p-10};
   return queries.side_of(within) == SolidQueries::Side::In;
 }
 
@@ -59,10 +61,13 @@ double material_volume(const Solid& solid, const SolidQueries& queries, const Ce
           0.5 * ((u.y - a.y) * (v.z - a.z) - (u.z - a.z) * (v.y - a.y)) * orientation;
       volume += projected * (a.x + u.x + v.x) / 3;
       if (!on_far_wall(from, 0) || !on_far_wall(to, 0)) continue;
-      // An edge in the far wall: the wall's material has it on its rim, the other way round.
+      // An edge in the far wall: the wall's material has it on its rim, the other way round. Again,
+      // what lies in the far edge is counted by the length of material beside that, and what ends
+      // in the corner by the material beside the corner.
+      if (on_far_wall(from, 1) && on_far_wall(to, 1)) continue;
       wall_area -= 0.5 * (u.y + v.y) * (v.z - u.z) * orientation;
-      if (on_far_wall(from, 1)) edge_length -= u.z * orientation;
-      if (on_far_wall(to, 1)) edge_length += v.z * orientation;
+      if (on_far_wall(from, 1) && !on_far_wall(from, 2)) edge_length -= u.z * orientation;
+      if (on_far_wall(to, 1) && !on_far_wall(to, 2)) edge_length += v.z * orientation;
     }
   }
   return volume + side * (wall_area + side * edge_length);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "common/geometry/predicates.hpp"
@@ -112,6 +113,11 @@ FragmentList whole_boundary(const Solid& solid) {
       corner.a = solid.triangles[t].vertex[k];
       corner.position = solid.vertices[corner.a];
       corner.edge = k;
+      for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(corner.position[axis]) == solid.universe.half_side) {
+          corner.pinned = static_cast<std::uint8_t>(corner.pinned | (1u << axis));
+        }
+      }
       list.corners.push_back(corner);
     }
   }
