@@ -1,0 +1,178 @@
+// What is stated about every level, against the tree's pieces and dense samples of them.
+#include "server/build/certify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "common/tree/pieces.hpp"
+#include "server/solid/import_solid.hpp"
+#include "tests/support/chain.hpp"
+#include "tests/support/mesh_judge.hpp"
+#include "tests/unit/build/cells.hpp"
+#include "tools/model/models.hpp"
+
+namespace spoctree {
+namespace {
+
+struct Pieces : PieceVisitor {
+  void piece(const NodeAddress&, NodeKind kind, std::uint32_t, const Polyhedron& piece) override {
+    total += volume(piece);
+    if (kind != NodeKind::Grey) return;
+    grey += volume(piece);
+    std::vector<Vec3> corners;
+    for (const PolyhedronVertex& vertex : piece.vertices) corners.push_back(vertex.position);
+    grey_pieces.push_back(std::move(corners));
+  }
+  double total = 0;
+  double grey = 0;
+  std::vector<std::vector<Vec3>> grey_pieces;  ///< their corners
+};
+
+PlainMesh mesh_of(const Solid& solid) {
+  PlainMesh mesh;
+  mesh.points = solid.vertices;
+  for (const SolidTriangle& t : solid.triangles) {
+    mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
+  }
+  return mesh;
+}
+
+/// A point of the convex hull of some points: on the way between two, three, four of them, or all.
+Vec3 random_mixture(const std::vector<Vec3>& corners, Random& random) {
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  const std::uint32_t parts = random.chance(0.1) ? count : 2 + random.below(3);
+  Vec3 sum{0.0};
+  double total = 0;
+  for (std::uint32_t i = 0; i < parts; ++i) {
+    const double weight = random.unit() + 1e-9;
+    sum += weight * corners[parts == count ? i : random.below(count)];
+    total += weight;
+  }
+  return sum / total;
+}
+
+/// The largest distance from the solid that is found by trying points of T_k's uncertain pieces,
+/// and climbing from the best ones.
+double sampled_distance(const std::vector<std::vector<Vec3>>& pieces, const MeshJudge& judge,
+                        Random& random) {
+  struct Place {
+    double distance = 0;
+    Vec3 point{0.0};
+    const std::vector<Vec3>* piece = nullptr;
+  };
+  std::vector<Place> places;
+  const auto look_at = [&](const std::vector<Vec3>& piece, Vec3 point) {
+    return Place{judge.is_inside(point) ? 0.0 : judge.distance(point), point, &piece};
+  };
+  for (const auto& piece : pieces) {
+    for (const Vec3 corner : piece) places.push_back(look_at(piece, corner));
+    const std::size_t samples = 30 + 3000 / pieces.size();
+    for (std::size_t i = 0; i < samples; ++i) {
+      places.push_back(look_at(piece, random_mixture(piece, random)));
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+                   [](const Place& a, const Place& b) { return a.distance > b.distance; });
+  double most = 0;
+  for (std::size_t start = 0; start < std::min<std::size_t>(places.size(), 400); start += 20) {
+    Place place = places[start];
+    for (int i = 0; i < 300; ++i) {
+      const Vec3 target = random_mixture(*place.piece, random);
+      const Place next =
+          look_at(*place.piece, glm::mix(place.point, target, std::pow(random.unit(), 4)));
+      if (next.distance > place.distance) place = next;
+    }
+    most = std::max(most, place.distance);
+  }
+  return most;
+}
+
+void judge_statements(const Solid& solid, const SpRules& rules = {}) {
+  const SolidQueries queries(solid);
+  BuildOptions options;
+  options.rules = rules;
+  BuiltOctree built = build_octree(solid, queries, options);
+  certify(built, solid, queries);
+  const Octree& tree = built.tree;
+  const MeshJudge judge(mesh_of(solid));
+  const double unit = solid.universe.scale();
+  Random random(1);
+  double previous = 1e300;
+  for (std::uint32_t k = 0; k < tree.levels.size(); ++k) {
+    SCOPED_TRACE(testing::Message() << "level " << k);
+    const LevelStatement& statement = tree.levels[k].statement;
+    Pieces pieces;
+    WalkOptions walk;
+    walk.level = k;
+    walk_pieces(tree, walk, pieces);
+    const double cubed = unit * unit * unit;
+    EXPECT_NEAR(statement.outer_volume / cubed, pieces.total, 1e-12);
+    EXPECT_NEAR(statement.inner_volume / cubed, pieces.total - pieces.grey, 1e-12);
+
+    const double bound = statement.error_bound / unit;
+    const double sampled = sampled_distance(pieces.grey_pieces, judge, random);
+    EXPECT_GE(bound, sampled) << "a point of T_k is farther from the solid";
+    EXPECT_LE(bound, 1.2 * sampled + 1e-9) << "loose";
+    EXPECT_LE(bound, previous * 1.11) << "grows";
+    previous = bound;
+  }
+  EXPECT_EQ(tree.levels.back().statement.error_bound, 0);
+  EXPECT_EQ(tree.levels.back().statement.inner_volume, tree.levels.back().statement.outer_volume);
+  EXPECT_NEAR(tree.levels.back().statement.inner_volume / solid.volume, 1, 1e-11);
+}
+
+TEST(Certify, HoldsForHeightFields) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    judge_statements(uneven_solid(5, random));
+    judge_statements(
+        height_field_solid(random_height_field(4, Vec3(-1), 0.5, -0.75, 0.25, 8, random)));
+  }
+}
+
+TEST(Certify, HoldsForVoxels) {
+  for (std::uint64_t seed = 0; seed < 8; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    judge_statements(voxel_solid(random_voxels(2, random)));
+  }
+}
+
+TEST(Certify, HoldsForModels) {
+  for (const char* name :
+       {"mechanical-piece", "l-bracket", "double-torus", "nested-boxes", "two-parts", "saddle"}) {
+    SCOPED_TRACE(name);
+    const PlainMesh mesh = parse_off_text(model::to_off(model::make_model(name)));
+    judge_statements(import_solid(to_soup(mesh), name, {}));
+  }
+}
+
+TEST(Certify, HoldsWhereLeavesHoldManyPlanes) {
+  Random random(3);
+  judge_statements(uneven_solid(6, random), {8, kMaxDepth});
+}
+
+// A box of 2 x 2 x 1.5 with a square hole through it: T_0 fills the hole; the point farthest from
+// the material is on the hole's axis, half a hole's width from its walls.
+TEST(Certify, KnowsTheErrorOfAHoleByThinking) {
+  // A frame of voxels: the cells around the middle four of each layer.
+  const Solid solid = voxel_solid({2, [](int x, int y, int z) {
+                                     const bool in_hole = x % 3 != 0 && y % 3 != 0;
+                                     return !in_hole && z < 3;
+                                   }});
+  const SolidQueries queries(solid);
+  BuiltOctree built = build_octree(solid, queries, {});
+  certify(built, solid, queries);
+  const LevelStatement& level0 = built.tree.levels[0].statement;
+  EXPECT_EQ(level0.inner_volume, 0);
+  EXPECT_NEAR(level0.outer_volume, 2 * 2 * 1.5, 1e-14);
+  EXPECT_GE(level0.error_bound, 0.5);
+  EXPECT_LE(level0.error_bound, 0.5 * kErrorBoundRatio + 1e-9);
+}
+
+}  // namespace
+}  // namespace spoctree
