@@ -29,7 +29,7 @@ inline constexpr double kPictureTolerance = 1e-10;
 inline constexpr double kCreaseTolerance = 3e-10;
 
 /// The same in the direction of sight, behind the piece.
-inline constexpr double kCreaseDepthTolerance = 1e-7;
+inline constexpr double kCreaseDepthTolerance = 1e-6;
 
 /// Consecutive lines become one line if their joints stand off it by less than this.
 inline constexpr double kJoinTolerance = 1e-9;
