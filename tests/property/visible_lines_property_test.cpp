@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "client/lines/visible_lines.hpp"
+#include "tests/support/degenerate_tree.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/sample_trees.hpp"
 #include "tests/support/sight_oracle.hpp"
@@ -49,6 +50,25 @@ TEST(VisibleLinesProperty, AgreeWithRaysOnRandomTreesAtEveryLevel) {
       tried += expect_agreement(tree, surface, random_view(random), level, scene);
       tried += expect_agreement(tree, surface, view_along_an_axis(random), level, scene);
     }
+  }
+  EXPECT_GT(tried, 10000u);
+}
+
+TEST(VisibleLinesProperty, AgreeWithRaysOnTreesFullOfCoincidences) {
+  std::size_t tried = 0;
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    Random random(seed);
+    const Octree tree = degenerate_tree(seed, 2 + random.below(3));
+    const std::string scene = "degenerate tree " + std::to_string(seed);
+    const auto level = random.below(static_cast<std::uint32_t>(tree.levels.size()));
+    const Surface surface = rebuild_surface(tree, level);
+    tried += expect_agreement(tree, surface, random_view(random), level, scene);
+    tried += expect_agreement(tree, surface, view_along_an_axis(random), level, scene);
+    if (tree.planes.empty()) continue;
+    // Along some plane of the tree.
+    const auto plane = random.below(static_cast<std::uint32_t>(tree.planes.size()));
+    const Vec3 view = glm::cross(tree.planes[plane].normal, random_view(random));
+    tried += expect_agreement(tree, surface, view, level, scene);
   }
   EXPECT_GT(tried, 10000u);
 }
