@@ -2,11 +2,11 @@
 //
 // Why the rebuilt surface is closed, whatever the rounding: every piece is a polyhedron, each of
 // its edges belongs to two faces, once each way. Replacing a vertex by another one (welding), an
-// edge by a path (cutting a line at all vertices on it, or an edge at a vertex near it) or a path
-// by an edge (dropping a straight vertex) is done to all faces alike. So the sum over all faces
-// stays zero on every edge, and what is traced into loops afterwards is closed. Tolerances only
-// decide how well neighbours cancel. The 2-chains themselves (which part of a plane is covered) are
-// never needed: the boundary determines them.
+// edge by a path (cutting a line at the ends on it, or an edge at a vertex near it) or a path by an
+// edge (dropping a straight vertex) is done to all faces alike. So the sum over all faces stays
+// zero on every edge, and what is traced into loops afterwards is closed. Tolerances only decide
+// how well neighbours cancel. Which part of a plane is covered is never computed: its boundary says
+// it.
 #pragma once
 
 #include <cstdint>

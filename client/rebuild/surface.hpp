@@ -1,8 +1,8 @@
 // The boundary of T_k, rebuilt from the tree's planes alone: a closed polygon mesh and its creases.
 //
-// Pieces (walk_pieces) -> their faces as signed polygons per plane, what two pieces share cancelled
-// -> a chain of edges per plane -> loops, faces, creases. See chain.hpp for why it is always
-// closed.
+// Pieces (walk_pieces) -> ends of their edges on every line (line_ends), where almost all cancels
+// -> a chain of edges per plane (chain), cleaned up (settle_vertices, contacts) -> loops and faces
+// (face_builder) -> creases. chain.hpp says why the result is always closed.
 #pragma once
 
 #include <cstdint>
