@@ -127,9 +127,9 @@ TEST(RebuildSurface, OfAVertexRootIsWhatItsExpressionSays) {
 
 TEST(RebuildSurface, OfAGreyFrontierIsClippedByItsPlanesOnly) {
   Octree tree = one_node(NodeKind::Grey, {kBelowX});
+  tree.levels.resize(2);
   for (int i = 0; i < 8; ++i) {
-    // Only the lower half in x; its upper children have no part in the half-space beyond 0.25.
-    tree.levels.resize(2);
+    // Material in the lower half in x only.
     tree.levels[1].append(i % 2 == 0 ? NodeKind::Black : NodeKind::White, {});
   }
   const Surface coarse = rebuild_surface(tree, 0);
