@@ -29,7 +29,9 @@ class Corpus : public testing::Test {
     folder_ = folder;
   }
 
-  ChainFigures judge(const fs::path& name, const ChainOptions& options = {}) const {
+  ChainFigures judge(const fs::path& name) const {
+    ChainOptions options;
+    options.rebuild_levels_up_to = 20000;
     return judge_chain(name.string(), read_mesh(folder_ / name), options);
   }
 
