@@ -69,32 +69,6 @@ Homogeneous intersect(const GridPlane& p, const GridPlane& q, const GridPlane& r
   return point;
 }
 
-/// floor(numerator * 2^bits / denominator); the denominator is positive, the result fits.
-std::int64_t rounded_ratio(const Int256& numerator, const Int256& denominator, int bits) {
-  const int sign_of_numerator = numerator.sign();
-  if (sign_of_numerator == 0) return 0;
-  // Usually the rounding is not in doubt: the quotient errs by less than 2^-59 of itself.
-  const long double quotient =
-      std::ldexp(numerator.to_long_double() / denominator.to_long_double(), bits);
-  const long double doubt = std::abs(quotient) * 0x1p-59L;
-  const long double lower = std::floor(quotient - doubt);
-  if (lower == std::floor(quotient + doubt)) return static_cast<std::int64_t>(lower);
-  using boost::multiprecision::cpp_int;
-  const auto magnitude = [](const Int256& value) {
-    cpp_int result = 0;
-    const auto limbs = (value.sign() < 0 ? -value : value).limbs();
-    for (std::size_t i = limbs.size(); i-- > 0;) result = (result << 64) | limbs[i];
-    return result;
-  };
-  cpp_int exact;
-  cpp_int remainder;
-  divide_qr(cpp_int(magnitude(numerator) << static_cast<unsigned>(bits)), magnitude(denominator),
-            exact, remainder);
-  const auto value = exact.convert_to<std::int64_t>();
-  if (sign_of_numerator > 0) return value;
-  return remainder.is_zero() ? -value : -value - 1;
-}
-
 // normal . point - offset in doubles, for |normal| <= 1, |point| <= 2, |offset| <= 2: four
 // products and three sums of magnitude below 8 err by at most 7 * 8 * 2^-53 < 2^-47.
 constexpr double kSideError = 0x1p-47;
@@ -229,51 +203,6 @@ ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed) {
   const auto cb = static_cast<double>(evaluate(c, gb));
   const double t = ca / (ca - cb);
   return {a + (b - a) * t, 0x1p-49};
-}
-
-RoundedPoint rounded_intersection(const Plane& p, const Plane& q, const Plane& r, int bits) {
-  // In doubles first: usually the rounding is not in doubt.
-  const ApproximatePoint approximate = intersection_point(p, q, r);
-  std::int64_t rounded[3];
-  bool certain = true;
-  for (int i = 0; i < 3 && certain; ++i) {
-    const double lower = std::floor(std::ldexp(approximate.position[i] - approximate.error, bits));
-    const double upper = std::floor(std::ldexp(approximate.position[i] + approximate.error, bits));
-    certain = lower == upper;
-    rounded[i] = static_cast<std::int64_t>(lower);
-  }
-  if (!certain) {
-    const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
-    for (int i = 0; i < 3; ++i) rounded[i] = rounded_ratio(point.x[i], point.w, bits);
-  }
-  return {rounded[0], rounded[1], rounded[2]};
-}
-
-RoundedLine rounded_line(const Plane& p, const Plane& q) {
-  constexpr int kLineBits = 50;
-  const GridPlane gp = to_grid(p);
-  const GridPlane gq = to_grid(q);
-  const auto direction = cross(gp, gq);
-  const auto magnitude = [](Int128 value) { return value < 0 ? -value : value; };
-  int axis = 0;
-  for (int i = 1; i < 3; ++i) {
-    if (magnitude(direction[i]) > magnitude(direction[axis])) axis = i;
-  }
-  assert(direction[axis] != 0);
-  const int turn = direction[axis] < 0 ? -1 : 1;
-  const Int256 denominator = magnitude(direction[axis]);
-  RoundedLine line;
-  line.axis = axis;
-  for (int k = 1; k < 3; ++k) {
-    line.coordinates[k - 1] =
-        rounded_ratio(direction[(axis + k) % 3] * turn, denominator, kLineBits);
-  }
-  // The moment d_p n_q - d_q n_p is the direction times a point of the line (up to sign).
-  for (int i = 0; i < 3; ++i) {
-    const Int128 moment = static_cast<Int128>(gp.d) * gq.n[i] - static_cast<Int128>(gq.d) * gp.n[i];
-    line.coordinates[2 + i] = rounded_ratio(moment * turn, denominator, kLineBits);
-  }
-  return line;
 }
 
 }  // namespace spoctree

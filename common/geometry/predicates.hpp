@@ -45,26 +45,4 @@ ApproximatePoint intersection_point(const Plane& p, const Plane& q, const Plane&
 /// The point in which the segment from `a` to `b` meets `crossed`; same promise.
 ApproximatePoint crossing_point(Vec3 a, Vec3 b, const Plane& crossed);
 
-/// The coordinates of the point in which three planes meet, each rounded down to a multiple of
-/// 2^-`bits`, in units of that step: a function of the exact point alone, whichever planes name it.
-/// REQUIRES: the three normals are linearly independent; 1 <= bits <= 60; the point is in the
-/// universe cube (coordinates at most 1 in magnitude).
-struct RoundedPoint {
-  std::int64_t x = 0, y = 0, z = 0;
-  bool operator==(const RoundedPoint&) const = default;
-  auto operator<=>(const RoundedPoint&) const = default;
-};
-RoundedPoint rounded_intersection(const Plane& p, const Plane& q, const Plane& r, int bits);
-
-/// The line in which two planes meet, as a name: a function of the exact line alone (its Pluecker
-/// coordinates relative to the largest component of the direction, rounded down to 2^-50), so that
-/// every pair of planes that contain the line gives the same name.
-struct RoundedLine {
-  int axis = 0;  ///< the largest component of the direction, which is taken as +1
-  std::int64_t coordinates[5] = {0, 0, 0, 0, 0};  ///< the other two of the direction, the moment
-  bool operator==(const RoundedLine&) const = default;
-};
-/// REQUIRES: the planes are not parallel, and the line meets the universe cube.
-RoundedLine rounded_line(const Plane& p, const Plane& q);
-
 }  // namespace spoctree
