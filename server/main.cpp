@@ -1,6 +1,9 @@
 // spoctree-server: mesh files -> SP-Octrees -> .spo files -> sockets.
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <cstdlib>
+#include <string>
 
 #include "common/program/run_program.hpp"
 #include "server/commands/build_command.hpp"
@@ -12,6 +15,12 @@ namespace {
 using namespace spoctree;
 
 constexpr const char* kMeshFormats = "Mesh files are OFF, OBJ, STL and PLY (text and binary).";
+
+/// For CLI11, whose ranges let NaN pass.
+std::string is_number(const std::string& text) {
+  const double value = std::strtod(text.c_str(), nullptr);
+  return std::isnan(value) ? "'" + text + "' is not a number" : "";
+}
 
 void add_model_options(CLI::App& command, ModelOptions& options) {
   command
@@ -27,7 +36,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
   command
       .add_option("--flat-tolerance", options.flat_tolerance,
                   "neighbouring faces that are even to so much of the diagonal become one plane")
-      ->check(CLI::Range(0.0, kLargestFlatTolerance))
+      ->check(CLI::Range(0.0, kLargestFlatTolerance) & CLI::Validator(is_number, "NUMBER"))
       ->capture_default_str();
 }
 
@@ -53,8 +62,9 @@ int main(int argc, char** argv) {
       "serve", "serve models until SIGTERM; a model is called like its file, without extension");
   serve_command
       .add_option("FILE", serve.paths,
-                  ".spo files, meshes (built first), and folders of both (what is not a model in a "
-                  "folder is left out, and said)")
+                  ".spo files, meshes (built first), and folders of both: every .spo file and mesh "
+                  "right in the folder; a mesh beside a .spo file of its name is not built "
+                  "again, and what turns out not to be a model is left out, and said")
       ->required();
   serve_command
       .add_option("--listen", serve.listen,

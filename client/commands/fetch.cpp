@@ -20,6 +20,9 @@ std::string held_frames(const std::string& path, std::optional<std::uint32_t> la
   if (!std::filesystem::exists(path)) return {};
   const MappedFile file(path);
   const std::string_view frames = recover_frames(file.bytes());
+  if (frames.empty() && !file.bytes().empty()) {
+    throw BadInput(path + ": not a .spo file: --resume would overwrite it");
+  }
   FrameReader reader;
   reader.feed(frames);
   StreamDecoder decoder;

@@ -32,6 +32,11 @@ int run_program(CLI::App& app, int argc, char** argv) {
     return kExitDone;
   } catch (const CLI::Success& help) {
     return app.exit(help);
+  } catch (const CLI::RequiredError& error) {
+    const bool names_another = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
+    if (!names_another) return complain(app, error.what(), kExitUsage);
+    return complain(app, std::string("there is no command '") + argv[1] + "', see --help",
+                    kExitUsage);
   } catch (const CLI::ParseError& error) {
     return complain(app, error.what(), kExitUsage);
   } catch (const UsageError& error) {

@@ -33,6 +33,12 @@ void add_model(ModelStore& store, const fs::path& path, const ModelOptions& opti
   store.add_bytes(name, path.string(), encode_spo(model.tree, model.source));
 }
 
+// A .spo file stands for the mesh of the same name that it was built from.
+bool is_built_already(const fs::path& mesh) {
+  std::error_code ignored;
+  return !is_spo(mesh) && fs::is_regular_file(fs::path(mesh).replace_extension(".spo"), ignored);
+}
+
 // Sorted, so that the same folder gives the same messages in the same order.
 std::vector<fs::path> models_in_folder(const fs::path& folder) {
   std::vector<fs::path> paths;
@@ -50,6 +56,7 @@ std::vector<fs::path> models_in_folder(const fs::path& folder) {
 
 void add_folder(ModelStore& store, const fs::path& folder, const ModelOptions& options) {
   for (const fs::path& path : models_in_folder(folder)) {
+    if (is_built_already(path)) continue;
     try {
       add_model(store, path, options);
     } catch (const BadInput& error) {

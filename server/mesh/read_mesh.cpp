@@ -39,13 +39,19 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
+/// A pipe or a device has no size to hold the file's counts against.
+void require_regular_file(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (error) throw BadInput(path.string() + ": cannot open: " + error.message());
+  if (!std::filesystem::is_regular_file(status)) {
+    throw BadInput(path.string() + ": not a regular file");
+  }
+}
+
 std::string read_whole_file(const std::filesystem::path& path) {
   const auto fail = [&](const std::string& what) { throw BadInput(path.string() + ": " + what); };
   std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (error) fail("cannot open: " + error.message());
-  // A pipe or a device has no size to hold the file's counts against.
-  if (!std::filesystem::is_regular_file(status)) fail("not a regular file");
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) fail("cannot open: " + error.message());
   if (size > mesh_limits::kMaxFileBytes) {
@@ -116,6 +122,7 @@ PolygonSoup parse_mesh(MeshFormat format, std::string_view bytes, std::string_vi
 
 PolygonSoup read_mesh(const std::filesystem::path& path) {
   const std::string name = path.string();
+  require_regular_file(path);
   const auto format = format_of_extension(path);
   if (!format) {
     throw BadInput(name +
