@@ -1,7 +1,6 @@
 #include "server/build/fragment.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -25,10 +24,6 @@ Plane wall_through(const FragmentCorner& corner, int axis) {
 const Plane& plane_of(const Solid& solid, std::uint32_t triangle) {
   return solid.planes[solid.facet_plane[solid.triangles[triangle].facet]];
 }
-
-/// A triangle cut by six walls has at most nine corners; a polygon that rounding left slightly
-/// non-convex may have a few more while it is clipped.
-constexpr std::size_t kCornerLimit = 32;
 
 /// The corner in which the polygon edge from `from` to `to` meets the wall.
 FragmentCorner cross_wall(const FragmentCorner& from, const FragmentCorner& to,
@@ -71,7 +66,7 @@ FragmentCorner cross_wall(const FragmentCorner& from, const FragmentCorner& to,
 }
 
 /// The half of a polygon on the side of `keep` (-1 or +1), appended to `out` if it has area.
-void clip_half(std::span<const FragmentCorner> polygon, const int* side, int keep,
+void clip_half(std::span<const FragmentCorner> polygon, const std::vector<int>& side, int keep,
                const Fragment& fragment, const Solid& solid, int axis, double coordinate,
                FragmentList& out) {
   Fragment part{fragment.triangle, static_cast<std::uint32_t>(out.corners.size()), 0};
@@ -169,10 +164,10 @@ int CornerSides::side_of_wall(const FragmentCorner& corner, std::uint32_t triang
 
 void split_fragments(const FragmentList& fragments, const Solid& solid, const CornerSides& sides,
                      int axis, double coordinate, FragmentList& lower, FragmentList& upper) {
-  int side[kCornerLimit];
+  std::vector<int> side;  // nine at most, but for polygons that rounding left slightly non-convex
   for (const Fragment& fragment : fragments.fragments) {
     const auto polygon = fragments.corners_of(fragment);
-    assert(polygon.size() <= kCornerLimit);
+    side.resize(polygon.size());
     bool any_lower = false;
     bool any_upper = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <filesystem>
 
 #include "server/mesh/read_mesh.hpp"
 #include "tests/support/chain.hpp"
+#include "tests/support/meshes_folder.hpp"
 
 namespace spoctree {
 namespace {
@@ -24,7 +24,7 @@ struct Yardstick {
 class Corpus : public testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("SPOCTREE_MESHES");
+    const char* folder = meshes_folder();
     if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
     folder_ = folder;
   }

@@ -2,13 +2,13 @@
 // seen: at first, middle and last level, from odd directions and square on.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 
 #include "client/lines/visible_lines.hpp"
 #include "server/build/build_octree.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/solid/import_solid.hpp"
+#include "tests/support/meshes_folder.hpp"
 #include "tests/support/sight_oracle.hpp"
 
 namespace spoctree {
@@ -22,7 +22,7 @@ constexpr Vec3 kViews[] = {
 class DrawingCorpus : public testing::TestWithParam<const char*> {};
 
 TEST_P(DrawingCorpus, ShowsWhatRaysSee) {
-  const char* folder = std::getenv("SPOCTREE_MESHES");
+  const char* folder = meshes_folder();
   if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
   const Solid solid = import_solid(read_mesh(fs::path(folder) / GetParam()), GetParam(), {});
   const SolidQueries queries(solid);

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "server/mesh/read_mesh.hpp"
+#include "tests/support/meshes_folder.hpp"
 #include "tests/unit/mesh/mesh_test_support.hpp"
 
 namespace spoctree {
@@ -25,7 +26,7 @@ struct Counts {
 class MeshCorpus : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("SPOCTREE_MESHES");
+    const char* folder = meshes_folder();
     if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
     folder_ = folder;
   }

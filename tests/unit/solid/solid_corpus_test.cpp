@@ -12,6 +12,7 @@
 
 #include "common/base/errors.hpp"
 #include "server/mesh/read_mesh.hpp"
+#include "tests/support/meshes_folder.hpp"
 #include "tests/unit/solid/soups.hpp"
 
 namespace spoctree {
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 class SolidCorpus : public ::testing::Test {
  protected:
   void SetUp() override {
-    const char* folder = std::getenv("SPOCTREE_MESHES");
+    const char* folder = meshes_folder();
     if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
     folder_ = folder;
   }
