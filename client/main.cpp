@@ -103,9 +103,10 @@ int main(int argc, char** argv) {
   CLI::App& draw_command = add_stream_command(
       app, "draw", "a line drawing of a level's solid, hidden lines removed", draw.stream);
   draw_command
-      .add_option("-o,--output", draw.output,
-                  "one level: a file, or - for standard output; all levels: a folder (files "
-                  "level-00.svg, level-01.svg, ...) or a name with %d or %02d for the level")
+      .add_option(
+          "-o,--output", draw.output,
+          "one level: a file, or - for standard output; any number of levels: a folder (files "
+          "level-00.svg, level-01.svg, ...) or a name with %d or %02d for the level")
       ->required();
   draw_command.add_option("--level", draw_level,
                           "which level, or `all`: each is drawn before the next one is received; "

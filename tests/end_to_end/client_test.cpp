@@ -74,12 +74,21 @@ TEST_F(Client, ResumingWhatIsWholeOrDamagedEndsWithTheWholeFile) {
   const ServerProcess server({piece()});
   std::string damaged = spo_;
   damaged[1500] = static_cast<char>(damaged[1500] ^ 4);
-  for (const std::string& held : {spo_, damaged, spo_.substr(0, 2000), std::string("not a .spo")}) {
+  for (const std::string& held : {spo_, damaged, spo_.substr(0, 2000), std::string()}) {
     const std::string output = put("out.spo", held);
     const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(read_file(output), spo_);
   }
+}
+
+TEST_F(Client, ResumingDoesNotOverwriteWhatIsNoModel) {
+  const ServerProcess server({piece()});
+  const std::string output = put("notes.txt", "my notes\n");
+  const Outcome outcome = run_client({"fetch", server.url("piece"), "-o", output, "--resume"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("notes.txt: not a .spo file"), std::string::npos) << outcome.err;
+  EXPECT_EQ(read_file(output), "my notes\n");
 }
 
 TEST_F(Client, WritesThroughASymbolicLink) {
