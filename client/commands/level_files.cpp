@@ -44,9 +44,9 @@ LevelFiles::LevelFiles(const std::string& output, bool all_levels, const std::st
     return;
   }
   std::error_code error;
-  const bool is_folder = all_levels && output != "-" &&
-                         (output.ends_with('/') || fs::is_directory(output, error) ||
-                          !fs::path(output).has_extension());
+  const bool is_folder =
+      output != "-" && (output.ends_with('/') || fs::is_directory(output, error) ||
+                        (all_levels && !fs::path(output).has_extension()));
   if (is_folder) {
     fs::create_directories(output, error);
     if (error) throw BadInput(output + ": cannot make the folder: " + error.message());
