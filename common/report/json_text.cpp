@@ -13,6 +13,12 @@ std::string to_text(double value) {
   return {digits, end};
 }
 
+std::string to_short_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", value);
+  return text;
+}
+
 std::string quote_json(std::string_view text) {
   std::string json = "\"";
   for (const char c : text) {

@@ -2,23 +2,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdio>
 
 #include "common/report/json_text.hpp"
 #include "common/report/text_table.hpp"
 
 namespace spoctree {
-
-namespace {
-
-// Six significant digits: for people, who compare levels and do not compute with them.
-std::string short_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-
-}  // namespace
 
 std::vector<LevelRow> level_rows(const Octree& tree, std::span<const LevelBytes> costs) {
   assert(costs.size() == tree.levels.size());
@@ -56,9 +44,9 @@ std::string to_table(std::span<const LevelRow> rows) {
     for (const std::uint32_t count : row.nodes) cells.push_back(std::to_string(count));
     cells.push_back(std::to_string(row.new_planes));
     cells.push_back(std::to_string(row.plane_references));
-    cells.push_back(short_text(row.error_percent));
-    cells.push_back(short_text(row.inner_volume));
-    cells.push_back(short_text(row.outer_volume));
+    cells.push_back(to_short_text(row.error_percent));
+    cells.push_back(to_short_text(row.inner_volume));
+    cells.push_back(to_short_text(row.outer_volume));
     lines.push_back(std::move(cells));
   }
   return align_columns(lines);

@@ -43,7 +43,7 @@ struct Polygon {
 class ExpressionBuilder {
  public:
   ExpressionBuilder(const Solid& solid, const Incidence& incidence)
-      : solid_(solid), incidence_(incidence), doubt_(0x1p-46 + solid.largest_incidence_gap) {}
+      : solid_(solid), incidence_(incidence), doubt_(CornerSides(solid, incidence).doubt()) {}
 
   Expression build(const FragmentList& boundary, std::span<const Fragment> remaining) {
     std::vector<Polygon> polygons;

@@ -1,26 +1,19 @@
 #include "server/commands/describe_solid.hpp"
 
-#include <cstdio>
+#include "common/report/json_text.hpp"
 
 namespace spoctree {
-
-namespace {
-std::string in_short(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
-}
-}  // namespace
 
 std::string describe_solid(const std::string& name, const SolidReport& report,
                            std::size_t plane_count, double volume) {
   std::string text = name + ": " + std::to_string(report.input_faces) + " faces, " +
-                     std::to_string(plane_count) + " planes, volume " + in_short(volume) + "\n";
+                     std::to_string(plane_count) + " planes, volume " + to_short_text(volume) +
+                     "\n";
   if (report.was_turned) text += "turned: all faces pointed inwards\n";
   if (report.triangulated_faces > 0) {
     text += "triangulated: " + std::to_string(report.triangulated_faces) +
             " faces with more than three corners, uneven by at most " +
-            in_short(100 * report.largest_unevenness) + " % of the diagonal\n";
+            to_short_text(100 * report.largest_unevenness) + " % of the diagonal\n";
   }
   if (report.merged_points > 0) {
     text += "merged: " + std::to_string(report.merged_points) + " points\n";
@@ -28,7 +21,7 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
   if (report.planes_before_merging > plane_count) {
     text += "merged: " + std::to_string(report.planes_before_merging) + " planes into " +
             std::to_string(plane_count) + ", no corner farther than " +
-            in_short(report.largest_merge_distance) + " from its face's plane\n";
+            to_short_text(report.largest_merge_distance) + " from its face's plane\n";
   }
   return text;
 }
