@@ -1,0 +1,32 @@
+#include "common/program/threads.hpp"
+
+#include <oneapi/tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+
+namespace spoctree {
+
+namespace {
+constexpr int kMostThreads = 1024;
+}
+
+struct ThreadsOption::Limit {
+  oneapi::tbb::global_control control;
+};
+
+ThreadsOption::ThreadsOption(CLI::App& command) {
+  command.add_option("--threads", threads_, "Use at most N threads (default: one per core)")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMostThreads));
+}
+
+ThreadsOption::~ThreadsOption() = default;
+
+void ThreadsOption::apply() {
+  if (threads_ == 0) return;
+  limit_ = std::make_unique<Limit>(
+      Limit{oneapi::tbb::global_control(oneapi::tbb::global_control::max_allowed_parallelism,
+                                        static_cast<std::size_t>(threads_))});
+}
+
+}  // namespace spoctree
