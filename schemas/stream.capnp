@@ -47,6 +47,8 @@ struct LevelEnd {  # frame type 3: closes a level
   errorBound @4 :Float64;   # model units: no point of T_k is farther from the solid
   innerVolume @5 :Float64;  # model units cubed: certainly material
   outerVolume @6 :Float64;  # model units cubed: volume of T_k
+  innerArea @7 :Float64;    # model units squared: of the boundary in the leaves of levels 0..k
+  outerArea @8 :Float64;    # model units squared: at most this is the whole boundary's
 }
 
 struct Index {  # frame type 4: in a .spo file only, after the stream's frames

@@ -24,9 +24,8 @@ ThreadsOption::~ThreadsOption() = default;
 
 void ThreadsOption::apply() {
   if (threads_ == 0) return;
-  limit_ = std::make_unique<Limit>(
-      Limit{oneapi::tbb::global_control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                        static_cast<std::size_t>(threads_))});
+  limit_ = std::make_unique<Limit>(Limit{oneapi::tbb::global_control(
+      oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_))});
 }
 
 }  // namespace spoctree

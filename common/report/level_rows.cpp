@@ -27,6 +27,8 @@ std::vector<LevelRow> level_rows(const Octree& tree, std::span<const LevelBytes>
     row.error_percent = 100 * (level.statement.error_bound / tree.universe.diagonal());
     row.inner_volume = level.statement.inner_volume;
     row.outer_volume = level.statement.outer_volume;
+    row.inner_area = level.statement.inner_area;
+    row.outer_area = level.statement.outer_area;
     rows.push_back(row);
   }
   return rows;
@@ -55,14 +57,17 @@ std::string to_table(std::span<const LevelRow> rows) {
 std::string to_csv(std::span<const LevelRow> rows) {
   std::string text = "level,bytes,total_bytes";
   for (const char* kind : kNodeKindNames) text += std::string(",") + kind;
-  text += ",new_planes,plane_references,error_percent,inner_volume,outer_volume\n";
+  text +=
+      ",new_planes,plane_references,error_percent,inner_volume,outer_volume,"
+      "inner_area,outer_area\n";
   for (const LevelRow& row : rows) {
     text += std::to_string(row.level) + ',' + std::to_string(row.cost.bytes) + ',' +
             std::to_string(row.cost.total_bytes);
     for (const std::uint32_t count : row.nodes) text += ',' + std::to_string(count);
     text += ',';
     text += std::to_string(row.new_planes) + ',' + std::to_string(row.plane_references);
-    for (const double value : {row.error_percent, row.inner_volume, row.outer_volume})
+    for (const double value :
+         {row.error_percent, row.inner_volume, row.outer_volume, row.inner_area, row.outer_area})
       text += ',' + to_text(value);
     text += '\n';
   }
@@ -86,7 +91,9 @@ std::string levels_to_json(std::span<const LevelRow> rows) {
     json += R"(,"plane_references":)" + std::to_string(row.plane_references);
     json += R"(,"error":)" + to_text(row.error_percent);
     json += R"(,"inner_volume":)" + to_text(row.inner_volume);
-    json += R"(,"outer_volume":)" + to_text(row.outer_volume) + "}";
+    json += R"(,"outer_volume":)" + to_text(row.outer_volume);
+    json += R"(,"inner_area":)" + to_text(row.inner_area);
+    json += R"(,"outer_area":)" + to_text(row.outer_area) + "}";
   }
   return json + "\n]";
 }

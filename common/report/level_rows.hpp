@@ -23,6 +23,8 @@ struct LevelRow {
   double error_percent = 0;  ///< certified bound, in % of the universe cube's diagonal
   double inner_volume = 0;   ///< model units cubed
   double outer_volume = 0;
+  double inner_area = 0;  ///< model units squared; not in the table for people
+  double outer_area = 0;
 };
 
 /// The rows of a tree's levels. `costs` has one entry per level. Linear in the tree's size.

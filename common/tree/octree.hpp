@@ -26,6 +26,11 @@ struct LevelStatement {
   double inner_volume = 0;
   /// Volume of T_k. The two are equal at the last level.
   double outer_volume = 0;
+  /// Area of the solid's boundary that lies in the leaves of levels 0..k.
+  double inner_area = 0;
+  /// The area of the solid's whole boundary is at most this (up to the rounding of a sum of
+  /// doubles). Equal to inner_area at the last level.
+  double outer_area = 0;
 
   bool operator==(const LevelStatement&) const = default;
 };

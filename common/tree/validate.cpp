@@ -36,12 +36,6 @@ bool columns_match(const Level& level) {
          offsets_match(level.token_begin, level.tokens.size());
 }
 
-bool is_plausible(const LevelStatement& statement) {
-  const auto is_size = [](double value) { return std::isfinite(value) && value >= 0; };
-  return is_size(statement.error_bound) && is_size(statement.inner_volume) &&
-         is_size(statement.outer_volume);
-}
-
 /// The planes of a node's ancestors, kept as a mark per plane while the tree is walked.
 class AncestorCheck {
  public:
@@ -76,6 +70,16 @@ class AncestorCheck {
 };
 
 }  // namespace
+
+bool is_valid(const LevelStatement& statement) {
+  const auto is_size = [](double value) { return std::isfinite(value) && value >= 0; };
+  const auto is_range = [&](double inner, double outer) {
+    return is_size(inner) && is_size(outer) && inner <= outer;
+  };
+  return is_size(statement.error_bound) &&
+         is_range(statement.inner_volume, statement.outer_volume) &&
+         is_range(statement.inner_area, statement.outer_area);
+}
 
 const char* plane_count_error(NodeKind kind, std::size_t count) {
   switch (kind) {
@@ -135,8 +139,8 @@ std::vector<std::string> validate(const Octree& tree, std::size_t limit) {
     } else if (level.kinds.empty()) {
       findings.add("level " + std::to_string(depth) + ": no nodes");
     }
-    if (!is_plausible(level.statement)) {
-      findings.add("level " + std::to_string(depth) + ": an error bound or a volume that is none");
+    if (!is_valid(level.statement)) {
+      findings.add("level " + std::to_string(depth) + ": an error bound, volumes or areas that are none");
     }
     if (!columns_match(level)) {
       findings.add("level " + std::to_string(depth) + ": columns of different lengths");

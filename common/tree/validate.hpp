@@ -17,6 +17,10 @@ namespace spoctree {
 /// well-formed and use planes of their node. Linear in the tree's size. REQUIRES: limit > 0.
 std::vector<std::string> validate(const Octree& tree, std::size_t limit = 20);
 
+/// True if all numbers are finite and not negative, and what is certain is not more than what is
+/// possible.
+bool is_valid(const LevelStatement& statement);
+
 /// What is wrong with a node of `kind` that has `count` planes; nullptr if nothing is.
 const char* plane_count_error(NodeKind kind, std::size_t count);
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "common/base/errors.hpp"
+#include "common/tree/validate.hpp"
 #include "common/wire/expression_meter.hpp"
 #include "common/wire/limits.hpp"
 #include "common/wire/stream_messages.hpp"
@@ -42,7 +43,7 @@ void require_encodable(const Octree& tree) {
       if (meter.is_done()) meter.restart();
     }
     if (!is_valid(level.statement)) {
-      throw BadInput("the tree cannot be encoded: an error bound or a volume that is none");
+      throw BadInput("the tree cannot be encoded: an error bound, volumes or areas that are none");
     }
   }
   require_at_most(nodes, kMaxNodes, "nodes");

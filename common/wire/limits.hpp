@@ -10,7 +10,7 @@
 
 namespace spoctree {
 
-inline constexpr std::uint16_t kProtocolVersion = 1;
+inline constexpr std::uint16_t kProtocolVersion = 2;
 
 /// A frame: header and payload.
 inline constexpr std::size_t kFrameHeaderBytes = 16;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "common/tree/validate.hpp"
 #include "common/wire/message.hpp"
 #include "schemas/stream.capnp.h"
 
@@ -108,6 +109,8 @@ std::string seal_level_end(const LevelEnd& end) {
   level_end.setErrorBound(end.statement.error_bound);
   level_end.setInnerVolume(end.statement.inner_volume);
   level_end.setOuterVolume(end.statement.outer_volume);
+  level_end.setInnerArea(end.statement.inner_area);
+  level_end.setOuterArea(end.statement.outer_area);
   return message.seal(FrameType::LevelEnd);
 }
 
@@ -120,16 +123,11 @@ LevelEnd open_level_end(const FrameView& frame) {
         end.node_count = level_end.getNodeCount();
         end.plane_count = level_end.getPlaneCount();
         end.statement = {level_end.getErrorBound(), level_end.getInnerVolume(),
-                         level_end.getOuterVolume()};
-        require(is_valid(end.statement), frame, "an error bound or a volume that is none");
+                         level_end.getOuterVolume(), level_end.getInnerArea(),
+                         level_end.getOuterArea()};
+        require(is_valid(end.statement), frame, "an error bound, volumes or areas that are none");
         return end;
       });
-}
-
-bool is_valid(const LevelStatement& statement) {
-  const auto is_size = [](double value) { return std::isfinite(value) && value >= 0; };
-  return is_size(statement.error_bound) && is_size(statement.inner_volume) &&
-         is_size(statement.outer_volume);
 }
 
 }  // namespace spoctree

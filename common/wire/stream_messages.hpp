@@ -50,7 +50,4 @@ void open_chunk(const FrameView& frame,
                 const std::function<void(const Columns<std::string_view>&)>& read);
 LevelEnd open_level_end(const FrameView& frame);
 
-/// True if bounds and volumes are finite and not negative.
-bool is_valid(const LevelStatement& statement);
-
 }  // namespace spoctree

@@ -59,13 +59,17 @@ class Builder {
       levels.resize(cell.depth + 1);
       result_.witnesses.resize(cell.depth + 1);
       result_.leaf_volumes.resize(cell.depth + 1, 0.0);
+      result_.leaf_areas.resize(cell.depth + 1, 0.0);
+      result_.grey_areas.resize(cell.depth + 1, 0.0);
     }
     levels[cell.depth].append(decision.kind, decision.planes, decision.tokens);
     if (decision.kind == NodeKind::Grey) {
       result_.witnesses[cell.depth].push_back(decision.witness);
+      result_.grey_areas[cell.depth] += boundary_area(cell);
     } else {
       if (decision.kind != NodeKind::White) {
         result_.leaf_volumes[cell.depth] += material_volume(solid_, queries_, cell);
+        result_.leaf_areas[cell.depth] += boundary_area(cell);
       }
       report_progress(cell.depth);
     }

@@ -25,6 +25,10 @@ struct BuiltOctree {
   std::vector<std::vector<std::uint32_t>> witnesses;
   /// Material in the leaves of each level, in cubed universe units.
   std::vector<double> leaf_volumes;
+  /// The solid's boundary in the leaves and in the GREY nodes of each level, in squared universe
+  /// units.
+  std::vector<double> leaf_areas;
+  std::vector<double> grey_areas;
   /// Nodes that became leaves only because of `max_depth`.
   std::size_t depth_limited_nodes = 0;
 };

@@ -73,4 +73,18 @@ double material_volume(const Solid& solid, const SolidQueries& queries, const Ce
   return volume + side * (wall_area + side * edge_length);
 }
 
+double boundary_area(const Cell& cell) {
+  double area = 0;
+  for (const Fragment& fragment : cell.boundary.fragments) {
+    const auto corners = cell.boundary.corners_of(fragment);
+    Vec3 doubled{0.0};
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      doubled += glm::cross(corners[i - 1].position - corners[0].position,
+                            corners[i].position - corners[0].position);
+    }
+    area += 0.5 * glm::length(doubled);
+  }
+  return area;
+}
+
 }  // namespace spoctree

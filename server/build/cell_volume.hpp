@@ -1,4 +1,4 @@
-// The volume of the solid in one cell, from its clipped boundary alone.
+// The volume and the surface area of the solid in one cell, from its clipped boundary alone.
 #pragma once
 
 #include "server/build/cell.hpp"
@@ -14,5 +14,9 @@ namespace spoctree {
 /// the solid (a hair inside the cell) if there is none. O(corners); error about 1e-15 of the
 /// cell's walls' area.
 double material_volume(const Solid& solid, const SolidQueries& queries, const Cell& cell);
+
+/// Area of the solid's boundary in a cell, in squared universe units. Boundary in a wall belongs to
+/// the cell of its material, so areas of disjoint cells add up. O(corners).
+double boundary_area(const Cell& cell);
 
 }  // namespace spoctree

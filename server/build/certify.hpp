@@ -7,8 +7,8 @@ namespace spoctree {
 
 /// Fills the statement of every level of a complete tree.
 ///
-/// Inner volumes are the material in the leaves, outer ones add the regions of GREY
-/// nodes. The error bound of level k is an upper bound of
+/// Inner volumes are the material in the leaves, outer ones add the regions of GREY nodes; inner
+/// areas are the boundary in the leaves, outer ones add the boundary in GREY nodes. The error bound of level k is an upper bound of
 /// the one-sided Hausdorff distance from T_k to the solid: T_k differs from the solid only in the
 /// GREY cells of level k, and a cell's piece Q is bounded by the largest distance of its corners
 /// from one triangle of the solid (the distance from a convex set is convex). The cells that this

@@ -71,7 +71,7 @@ class RandomTree {
       Level& level = tree_.levels.emplace_back();
       for (const Pending& cell : cells) draw_node(cell, depth, level, next);
       error = next.empty() ? 0 : error * random_.unit();
-      level.statement = {error, next.empty() ? 1.0 : random_.unit(), 1 + error};
+      level.statement = {error, next.empty() ? 1.0 : random_.unit(), 1 + error, 2 * random_.unit(), 2 + error};
       cells = std::move(next);
     }
     return std::move(tree_);
@@ -146,7 +146,7 @@ Octree cube_tree() {
   Level root;
   const std::uint32_t planes[] = {0, 1, 2, 3, 4, 5};
   root.append(NodeKind::Convex, planes);
-  root.statement = {0, 8, 8};
+  root.statement = {0, 8, 8, 24, 24};
   tree.levels.push_back(root);
   return tree;
 }
@@ -160,7 +160,7 @@ Octree every_kind_tree() {
   Level root;
   const std::uint32_t first[] = {0};
   root.append(NodeKind::Grey, first);
-  root.statement = {1.5, 0, 9};
+  root.statement = {1.5, 0, 9, 0, 26};
   Level middle;
   const std::uint32_t one[] = {1}, two[] = {2, 1}, three[] = {3, 1, 4}, four[] = {4, 5};
   const std::uint32_t corner[] = {kFirstPlaneToken + 0,
@@ -178,13 +178,13 @@ Octree every_kind_tree() {
   middle.append(NodeKind::Black, {});
   middle.append(NodeKind::Convex, four);
   middle.append(NodeKind::Black, {});
-  middle.statement = {0.25, 5, 8.5};
+  middle.statement = {0.25, 5, 8.5, 11.5, 25.25};
   Level bottom;
   const std::uint32_t five[] = {6, 2}, six[] = {7, 6, 3};
   for (int i = 0; i < 6; ++i) bottom.append(i % 2 == 0 ? NodeKind::White : NodeKind::Black, {});
   bottom.append(NodeKind::Concave, five);
   bottom.append(NodeKind::Convex, six);
-  bottom.statement = {0, 8, 8};
+  bottom.statement = {0, 8, 8, 24, 24};
   tree.levels = {root, middle, bottom};
   return tree;
 }

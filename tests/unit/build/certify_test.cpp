@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "common/tree/pieces.hpp"
 #include "server/solid/import_solid.hpp"
@@ -90,6 +91,66 @@ double sampled_distance(const std::vector<std::vector<Vec3>>& pieces, const Mesh
   return most;
 }
 
+double area_of(const Solid& solid, const SolidTriangle& t) {
+  const Vec3 a = solid.vertices[t.vertex[0]];
+  return 0.5 *
+         glm::length(glm::cross(solid.vertices[t.vertex[1]] - a, solid.vertices[t.vertex[2]] - a));
+}
+
+/// True if the cell of level `level` around a point is below a leaf, found by coordinates alone.
+bool is_in_leaf(const Octree& tree, Vec3 point, std::uint32_t level) {
+  Vec3 lower{-tree.universe.half_side};
+  double side = 2 * tree.universe.half_side;
+  std::uint32_t node = 0;
+  for (std::uint32_t k = 0; tree.levels[k].kinds[node] == NodeKind::Grey; ++k) {
+    if (k == level) return false;
+    side /= 2;
+    std::uint32_t octant = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (point[axis] < lower[axis] + side) continue;
+      octant |= 1u << axis;
+      lower[axis] += side;
+    }
+    node = tree.levels[k].first_child[node] + octant;
+  }
+  return true;
+}
+
+/// The areas stated, against random points of the boundary: each is looked for a hair towards the
+/// material, so that boundary in walls is found in the cell of its material.
+void judge_areas(const Octree& tree, const Solid& solid, Random& random) {
+  double area = 0;
+  for (const SolidTriangle& t : solid.triangles) area += area_of(solid, t);
+  const double unit = tree.universe.scale() * tree.universe.scale();
+  constexpr int kSamples = 4000;
+  std::vector<int> in_leaves(tree.levels.size(), 0);
+  for (int i = 0; i < kSamples; ++i) {
+    double left = area * (i + random.unit()) / kSamples;
+    std::size_t chosen = 0;
+    while (chosen + 1 < solid.triangles.size() && left > area_of(solid, solid.triangles[chosen])) {
+      left -= area_of(solid, solid.triangles[chosen++]);
+    }
+    const SolidTriangle& t = solid.triangles[chosen];
+    const Vec3 a = solid.vertices[t.vertex[0]];
+    const Vec3 u = solid.vertices[t.vertex[1]] - a;
+    const Vec3 v = solid.vertices[t.vertex[2]] - a;
+    double r = random.unit(), s = random.unit();
+    if (r + s > 1) r = 1 - r, s = 1 - s;
+    const Vec3 point = a + r * u + s * v - 1e-9 * glm::normalize(glm::cross(u, v));
+    for (std::uint32_t k = 0; k < tree.levels.size(); ++k) {
+      in_leaves[k] += is_in_leaf(tree, point, k);
+    }
+  }
+  for (std::uint32_t k = 0; k < tree.levels.size(); ++k) {
+    const LevelStatement& statement = tree.levels[k].statement;
+    EXPECT_NEAR(statement.outer_area / unit / area, 1, 1e-11) << "level " << k;
+    const double share = static_cast<double>(in_leaves[k]) / kSamples;
+    EXPECT_NEAR(statement.inner_area / unit / area, share, 5 * 0.5 / std::sqrt(kSamples))
+        << "level " << k;
+  }
+  EXPECT_EQ(tree.levels.back().statement.inner_area, tree.levels.back().statement.outer_area);
+}
+
 void judge_statements(const Solid& solid, const SpRules& rules = {}) {
   const SolidQueries queries(solid);
   BuildOptions options;
@@ -119,6 +180,7 @@ void judge_statements(const Solid& solid, const SpRules& rules = {}) {
     EXPECT_LE(bound, previous * 1.11) << "grows";
     previous = bound;
   }
+  judge_areas(tree, solid, random);
   EXPECT_EQ(tree.levels.back().statement.error_bound, 0);
   EXPECT_EQ(tree.levels.back().statement.inner_volume, tree.levels.back().statement.outer_volume);
   EXPECT_NEAR(tree.levels.back().statement.inner_volume / solid.volume, 1, 1e-11);

@@ -103,7 +103,8 @@ TEST(LevelRows, CountPlanesWhereTheyAppearFirst) {
             "{\"model\":\"m\",\"total_bytes\":100,\"levels\":[\n"
             "{\"level\":0,\"bytes\":100,\"total_bytes\":100,\"nodes\":{\"white\":0,\"black\":0,"
             "\"grey\":1,\"convex\":0,\"concave\":0,\"vertex\":0},\"new_planes\":2,"
-            "\"plane_references\":2,\"error\":25,\"inner_volume\":0,\"outer_volume\":0}\n]}\n");
+            "\"plane_references\":2,\"error\":25,\"inner_volume\":0,\"outer_volume\":0,\"inner_"
+            "area\":0,\"outer_area\":0}\n]}\n");
 }
 
 TEST(Throttle, GivesPortionsOfATwentiethOfASecond) {

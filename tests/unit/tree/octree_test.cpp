@@ -168,6 +168,8 @@ TEST(Validate, FindsStatementsThatAreNone) {
                tree.levels[0].statement.inner_volume = std::numeric_limits<double>::quiet_NaN());
   EXPECT_FOUND("level 2: an error bound",
                tree.levels[2].statement.outer_volume = std::numeric_limits<double>::infinity());
+  EXPECT_FOUND("level 2: an error bound", tree.levels[2].statement.outer_volume = 7.5);
+  EXPECT_FOUND("level 1: an error bound", tree.levels[1].statement.inner_area = 25.5);
 }
 
 TEST(Validate, FindsColumnsThatDoNotMatch) {

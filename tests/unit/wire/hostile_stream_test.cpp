@@ -184,6 +184,9 @@ TEST(StreamDecoder, RefusesALevelEndThatDisagrees) {
   bad = good;
   bad.statement.outer_volume = INFINITY;
   is_refused(bad);
+  bad = good;
+  bad.statement.inner_area = 2 * bad.statement.outer_area + 1;
+  is_refused(bad);
 }
 
 TEST(StreamDecoder, RefusesHeadersThatMiscountTheWholeTree) {
