@@ -1,0 +1,239 @@
+// A mesh file and the .spo file made of it -> what a judge that knows only the mesh says of the
+// levels. The mesh is read by CGAL, points are located by CGAL's exact predicates.
+// Usage: judge_model MESH MODEL.spo [--points N] [--nearest D] [--rebuilt FILE.off]
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/IO/polygon_soup_io.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "common/base/errors.hpp"
+#include "common/program/run_program.hpp"
+#include "common/tree/classify.hpp"
+#include "common/tree/pieces.hpp"
+#include "common/wire/spo_file.hpp"
+#include "tests/support/mesh_judge.hpp"
+
+namespace spoctree {
+
+namespace {
+
+struct Options {
+  std::string mesh;
+  std::string model;
+  std::string rebuilt;
+  std::size_t points = 100000;
+  double nearest = 1e-6;  // of the diagonal: points closer to the surface are not judged
+};
+
+PlainMesh read_with_cgal(const std::string& path) {
+  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
+  std::vector<Point> points;
+  std::vector<std::vector<std::size_t>> faces;
+  if (!CGAL::IO::read_polygon_soup(path, points, faces))
+    throw BadInput(path + ": CGAL cannot read");
+  CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces);
+  PlainMesh mesh;
+  for (const Point& p : points) mesh.points.emplace_back(p.x(), p.y(), p.z());
+  for (const auto& face : faces) mesh.faces.emplace_back(face.begin(), face.end());
+  return mesh;
+}
+
+/// The uncertain pieces of a level, by their corners.
+struct GreyPieces : PieceVisitor {
+  void piece(const NodeAddress&, NodeKind kind, std::uint32_t, const Polyhedron& piece) override {
+    if (kind != NodeKind::Grey) return;
+    std::vector<Vec3> corners;
+    for (const PolyhedronVertex& vertex : piece.vertices) corners.push_back(vertex.position);
+    pieces.push_back(std::move(corners));
+  }
+  std::vector<std::vector<Vec3>> pieces;
+};
+
+Vec3 random_mixture(const std::vector<Vec3>& corners, Random& random) {
+  const auto count = static_cast<std::uint32_t>(corners.size());
+  Vec3 sum{0.0};
+  double total = 0;
+  for (std::uint32_t i = 0; i < 2 + random.below(3); ++i) {
+    const double weight = random.unit() + 1e-9;
+    sum += weight * corners[random.below(count)];
+    total += weight;
+  }
+  return sum / total;
+}
+
+class Judge {
+ public:
+  explicit Judge(const Options& options)
+      : options_(options),
+        mesh_(read_with_cgal(options.mesh)),
+        judge_(mesh_),
+        tree_(SpoFile(options.model).tree()) {}
+
+  int run() {
+    const std::string name = options_.mesh.substr(options_.mesh.rfind('/') + 1);
+    judge_points();
+    judge_bounds();
+    const double volume = volume_of(mesh_);
+    const double stated = tree_.levels.back().statement.inner_volume;
+    std::printf(
+        "%-46s %8zu faces %2zu levels | wrong %zu last, %zu any, unknown %zu | "
+        "bound %s, at most %.2f x | volume %+.1e",
+        name.c_str(), mesh_.faces.size(), tree_.levels.size(), wrong_at_last_, wrong_at_any_,
+        unknown_at_last_, bounds_hold_ ? "holds" : "BROKEN", loosest_bound_, stated / volume - 1);
+    bool is_closed = true;
+    if (!options_.rebuilt.empty()) {
+      std::ifstream file(options_.rebuilt);
+      std::stringstream text;
+      text << file.rdbuf();
+      const PlainMesh rebuilt = parse_off_text(text.str());
+      const std::string fault = why_not_closed(rebuilt, true);
+      is_closed = why_not_closed(rebuilt, false).empty();
+      std::printf(", rebuilt %+.1e %s", volume_of(rebuilt) / stated - 1,
+                  fault.empty() ? "closed" : fault.c_str());
+      is_closed = is_closed && std::abs(volume_of(rebuilt) / stated - 1) < 1e-9;
+    }
+    const bool is_right = wrong_at_any_ == 0 && unknown_at_last_ == 0 && bounds_hold_ &&
+                          loosest_bound_ <= 3 && is_closed;
+    std::printf("%s\n", is_right ? "" : "  <-- FAILS");
+    return is_right ? kExitDone : 1;
+  }
+
+ private:
+  /// Half of them anywhere in the universe cube, half `nearest` to 1e-2 of the diagonal off the
+  /// surface.
+  Vec3 point_to_try(bool near) {
+    const Universe& universe = tree_.universe;
+    const double half = universe.half_side * universe.scale();
+    if (!near) {
+      return universe.center +
+             half * Vec3(random_.between(-1, 1), random_.between(-1, 1), random_.between(-1, 1));
+    }
+    const auto sample =
+        random_.chance(0.5) ? judge_.sample(random_) : judge_.sample_triangle(random_);
+    const double off = std::pow(10.0, random_.between(std::log10(options_.nearest), -2));
+    return sample.point + sample.normal * (random_.chance(0.5) ? off : -off) * judge_.diagonal();
+  }
+
+  void judge_points() {
+    const auto last = static_cast<std::uint32_t>(tree_.levels.size() - 1);
+    for (std::size_t i = 0; i < options_.points; ++i) {
+      const Vec3 point = point_to_try(i % 2 == 1);
+      // What is off one triangle may be on another.
+      if (judge_.distance(point) < 0.999 * options_.nearest * judge_.diagonal()) continue;
+      const PointClass right = judge_.is_inside(point) ? PointClass::In : PointClass::Out;
+      bool is_wrong = false;
+      for (std::uint32_t k = 0; k <= last; ++k) {
+        const PointClass now = classify_point(tree_, tree_.universe.to_universe(point), k);
+        if (now == PointClass::Unknown) {
+          unknown_at_last_ += k == last;
+          continue;
+        }
+        if (now == right) continue;
+        is_wrong = true;
+        wrong_at_last_ += k == last;
+        if (wrong_at_any_ < 3) {
+          std::fprintf(stderr, "%s: level %u says %d of (%.17g %.17g %.17g), %g off the surface\n",
+                       options_.mesh.c_str(), k, static_cast<int>(now), point.x, point.y, point.z,
+                       judge_.distance(point) / judge_.diagonal());
+        }
+        break;
+      }
+      wrong_at_any_ += is_wrong;
+    }
+  }
+
+  /// The error bound against the largest distance that is found by trying and climbing.
+  void judge_bounds() {
+    for (std::uint32_t k = 0; k + 1 < tree_.levels.size(); ++k) {
+      GreyPieces grey;
+      WalkOptions walk;
+      walk.level = k;
+      walk_pieces(tree_, walk, grey);
+      if (grey.pieces.empty()) continue;
+      const double sampled = sampled_distance(grey.pieces);
+      const double bound = tree_.levels[k].statement.error_bound;
+      if (bound < sampled) bounds_hold_ = false;
+      if (sampled > 1e-9 * judge_.diagonal()) {
+        loosest_bound_ = std::max(loosest_bound_, bound / sampled);
+      }
+    }
+  }
+
+  double sampled_distance(const std::vector<std::vector<Vec3>>& pieces) {
+    struct Place {
+      double distance = 0;
+      Vec3 point{0.0};
+      const std::vector<Vec3>* piece = nullptr;
+    };
+    const auto look_at = [&](const std::vector<Vec3>& piece, Vec3 point) {
+      const Vec3 model = tree_.universe.to_model(point);
+      const double distance = judge_.distance(model);
+      return Place{distance, point, &piece};
+    };
+    std::vector<Place> places;
+    for (const auto& piece : pieces) {
+      for (const Vec3 corner : piece) places.push_back(look_at(piece, corner));
+      for (std::size_t i = 0; i < 1 + 3000 / pieces.size(); ++i) {
+        places.push_back(look_at(piece, random_mixture(piece, random_)));
+      }
+    }
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place& a, const Place& b) { return a.distance > b.distance; });
+    double most = 0;
+    int climbs = 0;
+    for (const Place& start : places) {
+      if (start.distance <= most / 4 || climbs == 30) break;
+      if (judge_.is_inside(tree_.universe.to_model(start.point))) continue;
+      ++climbs;
+      Place best = start;
+      for (int i = 0; i < 100; ++i) {
+        const Vec3 target = random_mixture(*best.piece, random_);
+        const Place next =
+            look_at(*best.piece, glm::mix(best.point, target, std::pow(random_.unit(), 4)));
+        if (next.distance > best.distance &&
+            !judge_.is_inside(tree_.universe.to_model(next.point))) {
+          best = next;
+        }
+      }
+      most = std::max(most, best.distance);
+    }
+    return most;
+  }
+
+  const Options& options_;
+  PlainMesh mesh_;
+  MeshJudge judge_;
+  Octree tree_;
+  Random random_{20261122};
+  std::size_t wrong_at_last_ = 0;
+  std::size_t wrong_at_any_ = 0;
+  std::size_t unknown_at_last_ = 0;
+  bool bounds_hold_ = true;
+  double loosest_bound_ = 0;
+};
+
+}  // namespace
+
+}  // namespace spoctree
+
+int main(int argc, char** argv) {
+  CLI::App app("Judges a model by the mesh it was made of", "judge_model");
+  spoctree::Options options;
+  app.add_option("MESH", options.mesh)->required();
+  app.add_option("MODEL", options.model)->required();
+  app.add_option("--points", options.points, "Points to classify");
+  app.add_option("--nearest", options.nearest, "Judge no points nearer to the surface (diagonals)");
+  app.add_option("--rebuilt", options.rebuilt, "The rebuilt boundary, as OFF");
+  int verdict = 0;
+  app.callback([&] { verdict = spoctree::Judge(options).run(); });
+  const int code = spoctree::run_program(app, argc, argv);
+  return code != 0 ? code : verdict;
+}
