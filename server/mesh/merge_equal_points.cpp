@@ -19,6 +19,8 @@ void merge_equal_points(PolygonSoup& soup) {
   }
   for (std::uint32_t& corner : soup.corners) corner = new_number[corner];
   soup.points = std::move(merged);
+  // What a dropped face had for itself is now unused; a second time nothing can collapse.
+  if (drop_collapsed_faces(soup)) merge_equal_points(soup);
 }
 
 }  // namespace spoctree

@@ -24,7 +24,7 @@ class ObjReader {
     if (highest_index_ > soup_.points.size()) {
       fail_outside(highest_index_line_, std::to_string(highest_index_));
     }
-    if (soup_.face_count() == 0) cursor_.fail("the file has no faces");
+    if (soup_.face_count() + soup_.collapsed.count == 0) cursor_.fail("the file has no faces");
     return std::move(soup_);
   }
 

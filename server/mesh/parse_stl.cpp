@@ -39,25 +39,26 @@ class TextStlReader {
       cursor_.next_line();  // past the name, which may be anything and ends with its line
       std::string_view word = cursor_.next_word();
       while (equals_ignoring_case(word, "facet")) {
-        read_facet({"facet", soup_.face_count()});
+        read_facet({"facet", facet_number()});
         word = cursor_.next_word_of_any_line();
       }
       if (!equals_ignoring_case(word, "endsolid")) fail_expected("facet or endsolid", word);
     }
-    if (soup_.face_count() == 0) cursor_.fail("the file has no facets");
+    if (facet_number() == 0) cursor_.fail("the file has no facets");
     return std::move(soup_);
   }
 
  private:
+  std::size_t facet_number() const { return soup_.face_count() + soup_.collapsed.count; }
+
   void expect(std::string_view keyword) {
     const std::string_view word = cursor_.next_word_of_any_line();
     if (!equals_ignoring_case(word, keyword)) fail_expected(keyword, word);
   }
 
   [[noreturn]] void fail_expected(std::string_view keyword, std::string_view word) const {
-    cursor_.fail("facet " + std::to_string(soup_.face_count()) + ": expected " +
-                 std::string(keyword) + ", found " +
-                 (word.empty() ? "the end of the file" : quoted(word)));
+    cursor_.fail("facet " + std::to_string(facet_number()) + ": expected " + std::string(keyword) +
+                 ", found " + (word.empty() ? "the end of the file" : quoted(word)));
   }
 
   void read_facet(Item facet) {
@@ -80,9 +81,6 @@ class TextStlReader {
     }
     if (!equals_ignoring_case(word, "endloop")) fail_expected("endloop", word);
     expect("endfacet");
-    if (repeated_vertex(std::span(soup_.corners).last(3))) {
-      cursor_.fail(to_string(facet) + " has two equal corners");
-    }
     if (soup_.points.size() > mesh_limits::kMaxPoints) {
       cursor_.fail("the file has more than " + std::to_string(mesh_limits::kMaxPoints) +
                    " vertices");
@@ -133,7 +131,6 @@ PolygonSoup parse_binary_stl(std::string_view bytes, std::string_view name) {
       fail("takes the file over the limit of " + std::to_string(mesh_limits::kMaxPoints) +
            " vertices");
     }
-    if (repeated_vertex(std::span(soup.corners).last(3))) fail("has two equal corners");
     const std::string fault = close_face(soup);
     if (!fault.empty()) fail(fault);
   }
@@ -157,7 +154,8 @@ PolygonSoup parse_stl(std::string_view bytes, std::string_view name) {
     const std::uint64_t facets = claimed_facets(bytes);
     message += "its header claims " + std::to_string(facets) + " facets, which take " +
                std::to_string(kHeaderBytes + kFacetBytes * facets) + " bytes; the file has " +
-               std::to_string(bytes.size()) + ")";
+               std::to_string(bytes.size()) + ", room for " +
+               std::to_string((bytes.size() - kHeaderBytes) / kFacetBytes) + " facets)";
   }
   throw BadInput(message);
 }

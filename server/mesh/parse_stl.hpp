@@ -17,8 +17,7 @@ bool has_size_of_binary_stl(std::string_view bytes);
 /// in the order of the file. Normals and names are skipped; a text file may have several solids.
 /// Error messages read "name:line: what" for text, "name: facet 7 (byte 434): what" for binary;
 /// facets are counted from 0. Linear in the size of `bytes`.
-/// Throws BadInput for anything else, for a facet with two equal corners, and for a file without
-/// a facet.
+/// Throws BadInput for anything else, and for a file without a facet.
 PolygonSoup parse_stl(std::string_view bytes, std::string_view name);
 
 /// The two halves of parse_stl. REQUIRES for the binary one: has_size_of_binary_stl(bytes).

@@ -1,6 +1,7 @@
 #include "server/mesh/polygon_soup.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/mesh/limits.hpp"
 
@@ -23,11 +24,37 @@ std::optional<std::uint32_t> repeated_vertex(std::span<const std::uint32_t> corn
   return *twin;
 }
 
+namespace {
+
+// Leaves out corners that are equal to the one before them, all around the face that begins there.
+void drop_equal_neighbours(std::vector<std::uint32_t>& corners, std::size_t first) {
+  const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
+  auto end = std::unique(begin, corners.end());
+  while (end - begin > 1 && *begin == *(end - 1)) --end;
+  corners.erase(end, corners.end());
+}
+
+bool has_equal_neighbours(std::span<const std::uint32_t> face) {
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    if (face[i] == face[i == 0 ? face.size() - 1 : i - 1]) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
 std::string close_face(PolygonSoup& soup, std::uint32_t index_base) {
+  const std::size_t size = soup.corners.size() - soup.first_corner.back();
+  if (size < 3) {
+    return "has " + std::to_string(size) + (size == 1 ? " corner" : " corners") +
+           ", a face needs 3 or more";
+  }
+  drop_equal_neighbours(soup.corners, soup.first_corner.back());
   const auto face = std::span(soup.corners).subspan(soup.first_corner.back());
   if (face.size() < 3) {
-    return "has " + std::to_string(face.size()) + (face.size() == 1 ? " corner" : " corners") +
-           ", a face needs 3 or more";
+    if (soup.collapsed.count++ == 0) soup.collapsed.first = soup.face_count();
+    soup.corners.resize(soup.first_corner.back());
+    return {};
   }
   if (const auto vertex = repeated_vertex(face)) {
     return "uses vertex " + std::to_string(std::uint64_t{*vertex} + index_base) + " more than once";
@@ -41,6 +68,33 @@ std::string close_face(PolygonSoup& soup, std::uint32_t index_base) {
   }
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   return {};
+}
+
+bool drop_collapsed_faces(PolygonSoup& soup) {
+  std::size_t face = 0;
+  while (face < soup.face_count() && !has_equal_neighbours(soup.face(face))) ++face;
+  if (face == soup.face_count()) return false;
+
+  PolygonSoup kept;
+  kept.corners.assign(soup.corners.begin(), soup.corners.begin() + soup.first_corner[face]);
+  kept.first_corner.assign(soup.first_corner.begin(),
+                           soup.first_corner.begin() + static_cast<std::ptrdiff_t>(face) + 1);
+  kept.collapsed = soup.collapsed;
+  for (; face < soup.face_count(); ++face) {
+    const auto corners = soup.face(face);
+    kept.corners.insert(kept.corners.end(), corners.begin(), corners.end());
+    drop_equal_neighbours(kept.corners, kept.first_corner.back());
+    if (kept.corners.size() - kept.first_corner.back() < 3) {
+      kept.corners.resize(kept.first_corner.back());
+      // Faces before the first that was dropped have the numbers that the file gives them.
+      if (kept.collapsed.count++ == 0 || face < kept.collapsed.first) kept.collapsed.first = face;
+    } else {
+      kept.first_corner.push_back(static_cast<std::uint32_t>(kept.corners.size()));
+    }
+  }
+  kept.points = std::move(soup.points);
+  soup = std::move(kept);
+  return true;
 }
 
 }  // namespace spoctree

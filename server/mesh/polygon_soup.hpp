@@ -12,12 +12,21 @@
 
 namespace spoctree {
 
+/// Faces that have shrunk to a line or a point, because their corners are equal. They are left out
+/// while reading: such a face covers no area and its edges cancel in pairs, so that the surface and
+/// its border are the same without it.
+struct CollapsedFaces {
+  std::size_t count = 0;
+  std::size_t first = 0;  ///< number of the first of them among all faces of the file, from 0
+};
+
 /// Polygons over shared points, in the file's units, axes and order. Face i has the corners
 /// corners[first_corner[i]] .. corners[first_corner[i + 1] - 1], each the number of a point.
 struct PolygonSoup {
   std::vector<glm::dvec3> points;
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> first_corner{0};  ///< face_count() + 1 entries
+  CollapsedFaces collapsed;                    ///< not among the faces above
 
   std::size_t face_count() const { return first_corner.size() - 1; }
 
@@ -31,9 +40,15 @@ struct PolygonSoup {
 /// without any allocation for the small faces that nearly all faces are.
 std::optional<std::uint32_t> repeated_vertex(std::span<const std::uint32_t> corners);
 
-/// Makes one face of the corners appended since the last face was closed. Returns an empty string,
-/// or what is wrong with the face ("has 2 corners, ..."); the soup is then fit only to be thrown
-/// away. `index_base` is the number that the file format gives the first vertex.
+/// Makes one face of the corners appended since the last face was closed. A corner equal to the one
+/// before it is left out, and so is the face if fewer than three are left (soup.collapsed). Returns
+/// an empty string, or what is wrong with the face ("has 2 corners, ..."); the soup is then fit
+/// only to be thrown away. `index_base` is the number that the file format gives the first vertex.
 std::string close_face(PolygonSoup& soup, std::uint32_t index_base = 0);
+
+/// Leaves out every corner that is equal to the one before it, and every face of which fewer than
+/// three are left then (soup.collapsed). False if there was nothing to leave out. Points stay, used
+/// or not.
+bool drop_collapsed_faces(PolygonSoup& soup);
 
 }  // namespace spoctree

@@ -80,16 +80,26 @@ PolygonSoup parse_format(MeshFormat format, std::string_view bytes, std::string_
   return parse_ply(bytes, name);
 }
 
-// Faces whose corners have different numbers but equal points, found by merging.
-void reject_collapsed_faces(const PolygonSoup& soup, std::string_view name) {
+// Polygons with a point twice, though under different numbers, found by merging.
+void reject_pinched_faces(const PolygonSoup& soup, std::string_view name) {
+  std::size_t count = 0;
+  glm::dvec3 first{};
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
+    if (soup.face(i).size() == 3) continue;
     const auto vertex = repeated_vertex(soup.face(i));
-    if (!vertex) continue;
-    const glm::dvec3& p = soup.points[*vertex];
-    throw BadInput(std::string(name) + ": face " + std::to_string(i) +
-                   " (counted from 0) has two corners at the same point (" + std::to_string(p.x) +
-                   ", " + std::to_string(p.y) + ", " + std::to_string(p.z) + ")");
+    if (vertex && count++ == 0) first = soup.points[*vertex];
   }
+  if (count == 0) return;
+  throw BadInput(std::string(name) + ": " + std::to_string(count) +
+                 (count == 1 ? " polygon touches itself" : " polygons touch themselves") +
+                 ", first at the point (" + std::to_string(first.x) + ", " +
+                 std::to_string(first.y) + ", " + std::to_string(first.z) + ")");
+}
+
+void reject_soup_without_faces(const PolygonSoup& soup, std::string_view name) {
+  if (soup.face_count() > 0) return;
+  throw BadInput(std::string(name) + ": all " + std::to_string(soup.collapsed.count) +
+                 " faces have fewer than three different corners");
 }
 
 }  // namespace
@@ -113,10 +123,10 @@ PolygonSoup parse_mesh(MeshFormat format, std::string_view bytes, std::string_vi
                    ", the content is " + format_name(*content));
   }
   PolygonSoup soup = parse_format(format, bytes, name);
-  if (format != MeshFormat::Stl) {  // STL has merged its corners while reading
-    merge_equal_points(soup);
-    reject_collapsed_faces(soup, name);
-  }
+  // STL has merged its corners while reading.
+  if (format != MeshFormat::Stl || soup.collapsed.count > 0) merge_equal_points(soup);
+  reject_soup_without_faces(soup, name);
+  reject_pinched_faces(soup, name);
   return soup;
 }
 

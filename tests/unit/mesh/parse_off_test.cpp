@@ -156,7 +156,7 @@ TEST(ReadOff, RejectsVertexNumbersOutOfRange) {
 TEST(ReadOff, RejectsFacesThatAreNone) {
   EXPECT_EQ(error("OFF\n4 4 6\n" + kPoints + "3 0 2 1\n2 0 1\n3 0 3 2\n3 1 2 3\n"),
             "part.off:8: face 1 has 2 corners, a face needs 3 or more");
-  EXPECT_EQ(error("OFF\n4 4 6\n" + kPoints + "3 0 2 1\n3 0 1 0\n3 0 3 2\n3 1 2 3\n"),
+  EXPECT_EQ(error("OFF\n4 4 6\n" + kPoints + "3 0 2 1\n4 0 1 0 2\n3 0 3 2\n3 1 2 3\n"),
             "part.off:8: face 1 uses vertex 0 more than once");
   EXPECT_EQ(error("OFF\n4 4 6\n" + kPoints + "3 0 2 1\n4 0 1 3\n3 0 3 2\n3 1 2 3\n"),
             "part.off:8: face 1 has a line that ends after 3 of its 4 corners");

@@ -118,11 +118,18 @@ TEST(ReadStl, RejectsBinaryCoordinatesThatAreNotFinite) {
   }
 }
 
-TEST(ReadStl, RejectsFacetsWithTwoEqualCorners) {
-  EXPECT_EQ(error(binary_stl("", {{{0, 0, 0}, {1, 0, 0}, {-0.0, 0, 0}}})),
-            "part.stl: facet 0 (byte 84) has two equal corners");
-  EXPECT_EQ(error("solid\n" + kFacet + text_facet("vertex 1 2 3\nvertex 1 2 3\nvertex 0 0 0\n")),
-            "part.stl:15: facet 1 has two equal corners");
+TEST(ReadStl, LeavesOutFacetsWithTwoEqualCornersAndCountsThem) {
+  const PolygonSoup binary = parse(binary_stl("", {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                                                   {{0, 0, 0}, {1, 0, 0}, {-0.0, 0, 0}},
+                                                   {{5, 5, 5}, {5, 5, 5}, {5, 5, 5}}}));
+  EXPECT_EQ(faces_of(binary), (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}));
+  EXPECT_EQ(binary.collapsed.count, 2U);
+  EXPECT_EQ(binary.collapsed.first, 1U);
+  const PolygonSoup text = parse(
+      "solid\n" + text_facet("vertex 1 2 3\nvertex 1 2 3\nvertex 0 0 0\n") + kFacet + "endsolid\n");
+  EXPECT_EQ(text.face_count(), 1U);
+  EXPECT_EQ(text.collapsed.count, 1U);
+  EXPECT_EQ(text.collapsed.first, 0U);
 }
 
 TEST(ReadStl, NamesTheLineOfABadTextFacet) {

@@ -84,11 +84,32 @@ TEST_F(ReadMesh, MergesPointsAndRemovesUnusedOnes) {
   EXPECT_EQ(faces_of(soup), kTetrahedronFaces);
 }
 
-TEST_F(ReadMesh, RejectsFacesThatCollapseWhenPointsAreMerged) {
-  const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\nf 1 2 4\n");
+TEST_F(ReadMesh, LeavesOutFacesThatCollapseWhenPointsAreMergedAndWhatOnlyTheyUse) {
+  const PolygonSoup soup = read_mesh(
+      write("a.obj", "v 9 9 9\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 0 0\nf 2 3 4\nf 1 3 5\nf 2 4 4\n"));
+  EXPECT_EQ(soup.points, (std::vector<glm::dvec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+  EXPECT_EQ(faces_of(soup), (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}));
+  EXPECT_EQ(soup.collapsed.count, 2U);
+  EXPECT_EQ(soup.collapsed.first, 1U);
+}
+
+TEST_F(ReadMesh, LeavesOutCornersThatRepeatTheOneBefore) {
+  const PolygonSoup soup = read_mesh(
+      write("a.off", "OFF 6 1 0\n0 0 0\n1 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 0\n6 0 1 2 3 4 5\n"));
+  EXPECT_EQ(faces_of(soup), (std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}}));
+  EXPECT_EQ(soup.collapsed.count, 0U);
+}
+
+TEST_F(ReadMesh, RejectsPolygonsThatTouchThemselvesAtAPoint) {
+  const auto path = write("a.off", "OFF 5 1 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n1 1 0\n5 0 1 2 3 4\n");
   EXPECT_EQ(error(path), path.string() +
-                             ": face 1 (counted from 0) has two corners at the same point "
+                             ": 1 polygon touches itself, first at the point "
                              "(1.000000, 0.000000, 0.000000)");
+}
+
+TEST_F(ReadMesh, RejectsFilesOfCollapsedFacesOnly) {
+  const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 1\n");
+  EXPECT_EQ(error(path), path.string() + ": all 2 faces have fewer than three different corners");
 }
 
 TEST_F(ReadMesh, RejectsEmptyFiles) {
