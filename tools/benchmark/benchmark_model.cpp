@@ -1,0 +1,85 @@
+#include "tools/benchmark/benchmark_model.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "common/wire/encode.hpp"
+#include "server/build/certify.hpp"
+#include "server/mesh/read_mesh.hpp"
+#include "server/solid/import_solid.hpp"
+#include "tools/model/models.hpp"
+
+namespace spoctree {
+
+namespace {
+
+PolygonSoup wavy_sphere(int bands) {
+  const model::PolygonMesh mesh = model::make_model("sphere", bands);
+  PolygonSoup soup;
+  for (const Vec3& point : mesh.points) {
+    const Vec3 u = glm::normalize(point);
+    soup.points.push_back(point *
+                          (1 + 0.05 * std::sin(9 * u.x) * std::sin(8 * u.y) * std::sin(7 * u.z)));
+  }
+  soup.first_corner = {0};
+  for (const auto& face : mesh.faces) {
+    // Waves bend the sphere's flat faces: fans of triangles.
+    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
+      soup.corners.insert(soup.corners.end(), {face[0], face[k], face[k + 1]});
+      soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+    }
+  }
+  return soup;
+}
+
+}  // namespace
+
+BenchmarkModel::BenchmarkModel(std::string name, std::function<PolygonSoup()> read)
+    : name_(std::move(name)), read_(std::move(read)) {}
+
+const PolygonSoup& BenchmarkModel::soup() {
+  if (!soup_) soup_ = read_();
+  return *soup_;
+}
+
+const Solid& BenchmarkModel::solid() {
+  if (!solid_) solid_ = import_solid(soup(), name_, {});
+  return *solid_;
+}
+
+const SolidQueries& BenchmarkModel::queries() {
+  if (!queries_) queries_.emplace(solid());
+  return *queries_;
+}
+
+BuiltOctree& BenchmarkModel::built() {
+  if (!built_) {
+    built_ = build_octree(solid(), queries(), {});
+    certify(*built_, solid(), queries());
+  }
+  return *built_;
+}
+
+const std::string& BenchmarkModel::stream() {
+  if (!stream_) stream_ = encode_stream(built().tree, {});
+  return *stream_;
+}
+
+const Surface& BenchmarkModel::surface() {
+  if (!surface_) surface_ = rebuild_surface(built().tree);
+  return *surface_;
+}
+
+std::shared_ptr<BenchmarkModel> mesh_file_model(const std::string& path) {
+  return std::make_shared<BenchmarkModel>(std::filesystem::path(path).stem().string(),
+                                          [path] { return read_mesh(path); });
+}
+
+std::shared_ptr<BenchmarkModel> wavy_sphere_model(int bands) {
+  return std::make_shared<BenchmarkModel>("sphere-" + std::to_string(bands),
+                                          [bands] { return wavy_sphere(bands); });
+}
+
+}  // namespace spoctree
