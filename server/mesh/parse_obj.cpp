@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "common/base/parse_number.hpp"
 #include "server/mesh/limits.hpp"
-#include "server/mesh/parse_number.hpp"
 #include "server/mesh/text_cursor.hpp"
 
 namespace spoctree {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <string>
 
+#include "common/base/parse_number.hpp"
 #include "server/mesh/limits.hpp"
-#include "server/mesh/parse_number.hpp"
 #include "server/mesh/text_cursor.hpp"
 
 namespace spoctree {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/parse_number.hpp"
 #include "server/mesh/limits.hpp"
-#include "server/mesh/parse_number.hpp"
 #include "server/mesh/text_cursor.hpp"
 
 namespace spoctree {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "common/base/errors.hpp"
+#include "common/base/parse_number.hpp"
 #include "server/mesh/limits.hpp"
-#include "server/mesh/parse_number.hpp"
 
 namespace spoctree {
 

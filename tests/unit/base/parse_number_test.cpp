@@ -1,4 +1,4 @@
-#include "server/mesh/parse_number.hpp"
+#include "common/base/parse_number.hpp"
 
 #include <gtest/gtest.h>
 
