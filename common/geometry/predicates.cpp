@@ -69,10 +69,6 @@ Homogeneous intersect(const GridPlane& p, const GridPlane& q, const GridPlane& r
   return point;
 }
 
-// normal . point - offset in doubles, for |normal| <= 1, |point| <= 2, |offset| <= 2: four
-// products and three sums of magnitude below 8 err by at most 7 * 8 * 2^-53 < 2^-47.
-constexpr double kSideError = 0x1p-47;
-
 }  // namespace
 
 int side_of_point(const Plane& plane, Vec3 point) {

@@ -11,6 +11,10 @@
 
 namespace spoctree {
 
+/// normal . point - offset, evaluated in doubles, errs by less than this for coordinates of at most
+/// 2 in magnitude: four products and three sums below 8 err by at most 7 * 8 * 2^-53.
+inline constexpr double kSideError = 0x1p-47;
+
 /// Sign of normal . point - offset: -1 inside the half-space, 0 on the plane, +1 outside.
 /// REQUIRES: the point is on the grid, coordinates at most 2^10 in magnitude (it is not checked).
 int side_of_point(const Plane& plane, Vec3 point);

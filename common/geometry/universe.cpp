@@ -20,9 +20,12 @@ double round_to_grid(double value, int bits) {
 }  // namespace
 
 Vec3 Universe::to_grid(Vec3 x) const {
-  const Vec3 y = to_universe(x);
-  return {round_to_grid(y.x, kGridBits), round_to_grid(y.y, kGridBits),
-          round_to_grid(y.z, kGridBits)};
+  Vec3 y = to_universe(x);
+  for (int axis = 0; axis < 3; ++axis) {
+    // From 1 on, doubles are on the grid; far beyond it, the scaling would overflow.
+    if (std::abs(y[axis]) < 1) y[axis] = round_to_grid(y[axis], kGridBits);
+  }
+  return y;
 }
 
 Universe universe_around(Vec3 lower, Vec3 upper) {
