@@ -1,8 +1,6 @@
 #include "tools/benchmark/benchmark_model.hpp"
 
-#include <cmath>
 #include <filesystem>
-#include <glm/geometric.hpp>
 #include <utility>
 
 #include "common/wire/encode.hpp"
@@ -16,20 +14,13 @@ namespace spoctree {
 namespace {
 
 PolygonSoup wavy_sphere(int bands) {
-  const model::PolygonMesh mesh = model::make_model("sphere", bands);
+  const model::PolygonMesh mesh = model::make_model("wavy-sphere", bands);
   PolygonSoup soup;
-  for (const Vec3& point : mesh.points) {
-    const Vec3 u = glm::normalize(point);
-    soup.points.push_back(point *
-                          (1 + 0.05 * std::sin(9 * u.x) * std::sin(8 * u.y) * std::sin(7 * u.z)));
-  }
+  soup.points = mesh.points;
   soup.first_corner = {0};
   for (const auto& face : mesh.faces) {
-    // Waves bend the sphere's flat faces: fans of triangles.
-    for (std::size_t k = 1; k + 1 < face.size(); ++k) {
-      soup.corners.insert(soup.corners.end(), {face[0], face[k], face[k + 1]});
-      soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
-    }
+    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
+    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   }
   return soup;
 }
@@ -78,7 +69,7 @@ std::shared_ptr<BenchmarkModel> mesh_file_model(const std::string& path) {
 }
 
 std::shared_ptr<BenchmarkModel> wavy_sphere_model(int bands) {
-  return std::make_shared<BenchmarkModel>("sphere-" + std::to_string(bands),
+  return std::make_shared<BenchmarkModel>("wavy-sphere-" + std::to_string(bands),
                                           [bands] { return wavy_sphere(bands); });
 }
 

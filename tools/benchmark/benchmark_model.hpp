@@ -44,7 +44,7 @@ class BenchmarkModel {
 /// A mesh file, called by its name without folder and ending.
 std::shared_ptr<BenchmarkModel> mesh_file_model(const std::string& path);
 
-/// A sphere of `bands` latitude bands with waves on it, so that it is not one CONVEX node.
+/// The generated model of that name.
 std::shared_ptr<BenchmarkModel> wavy_sphere_model(int bands);
 
 /// Registers each benchmark of a file for a model, as "stage/model".

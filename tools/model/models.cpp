@@ -49,6 +49,8 @@ const std::array kModels{
               {},
               of_one_size<make_saddle>},
     ModelInfo{"sphere", "radius 50 mm, N bands of 2N planar faces", kBands, make_sphere},
+    ModelInfo{"wavy-sphere", "the same with waves on it, 4N(N - 1) triangles: as uneven as a scan",
+              kBands, make_wavy_sphere},
     ModelInfo{"cylinder", "radius 50 mm, 100 mm high, N sides", kSides, make_cylinder},
     ModelInfo{"cone", "radius 50 mm, 100 mm high, N sides", kSides, make_cone},
 };

@@ -83,6 +83,21 @@ PolygonMesh make_sphere(int bands) {
   return mesh;
 }
 
+PolygonMesh make_wavy_sphere(int bands) {
+  PolygonMesh mesh = make_sphere(bands);
+  for (glm::dvec3& point : mesh.points) {
+    const glm::dvec3 u = point / kRadius;
+    point *= 1 + 0.05 * std::sin(9 * u.x) * std::sin(8 * u.y) * std::sin(7 * u.z);
+  }
+  std::vector<Loop> triangles;
+  for (const Loop& face : mesh.faces) {
+    for (std::size_t k = 1; k + 1 < face.size(); ++k)
+      triangles.push_back({face[0], face[k], face[k + 1]});
+  }
+  mesh.faces = std::move(triangles);
+  return mesh;
+}
+
 PolygonMesh make_cylinder(int sides) {
   const auto count = static_cast<std::uint32_t>(sides);
   PolygonMesh mesh;

@@ -10,6 +10,10 @@ namespace spoctree::model {
 /// REQUIRES: bands >= 2.
 PolygonMesh make_sphere(int bands);
 
+/// The same with waves on it, up to 2.5 mm high, its faces split into triangles: as uneven as a
+/// scan, with 4 * bands * (bands - 1) planes. O(bands^2). REQUIRES: bands >= 2.
+PolygonMesh make_wavy_sphere(int bands);
+
 /// A prism over a regular polygon of radius 50 mm, 100 mm high, bottom at z = 0; its caps are
 /// single polygons. REQUIRES: sides >= 3.
 PolygonMesh make_cylinder(int sides);

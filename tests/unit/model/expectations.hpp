@@ -60,6 +60,36 @@ inline double sphere_volume(int bands) {
   return sum;
 }
 
+/// Tetrahedra from the middle: each band's trapezoids are split from their low left corner.
+inline double wavy_sphere_volume(int bands) {
+  struct Point {
+    double x, y, z;
+  };
+  const auto point = [bands](int band, int sector) {
+    const double from_south = std::numbers::pi * band / bands;
+    const double east = std::numbers::pi * sector / bands;
+    const Point u{std::sin(from_south) * std::cos(east), std::sin(from_south) * std::sin(east),
+                  -std::cos(from_south)};
+    const double r = 50 + 2.5 * std::sin(9 * u.x) * std::sin(8 * u.y) * std::sin(7 * u.z);
+    return Point{r * u.x, r * u.y, r * u.z};
+  };
+  const auto tetrahedron = [](Point a, Point b, Point c) {
+    return (a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) +
+            a.z * (b.x * c.y - b.y * c.x)) /
+           6;
+  };
+  double sum = 0;
+  for (int i = 0; i < bands; ++i) {
+    for (int k = 0; k < 2 * bands; ++k) {
+      const Point a = point(i, k), b = point(i, k + 1), c = point(i + 1, k + 1),
+                  d = point(i + 1, k);
+      // At the poles one of the two has no area.
+      sum += tetrahedron(a, b, c) + tetrahedron(a, c, d);
+    }
+  }
+  return sum;
+}
+
 inline std::vector<Expectation> expectations() {
   std::vector<Expectation> all{
       // The planes of the first are those of image 2 of the paper.
@@ -74,6 +104,8 @@ inline std::vector<Expectation> expectations() {
       // Four triangular prisms over 1600 mm^2 each, corners 40, 60 and 20 mm high.
       {"saddle", {}, 1, 0, 9, 4 * 1600.0 * (40 + 60 + 20) / 3},
       {"sphere", {}, 1, 0, 2 * 16 * 16, sphere_volume(16)},
+      {"wavy-sphere", {}, 1, 0, 4 * 16 * 15, wavy_sphere_volume(16)},
+      {"wavy-sphere", 7, 1, 0, 4 * 7 * 6, wavy_sphere_volume(7)},
       {"cylinder", {}, 1, 0, 32 + 2, 100 * regular_polygon_area(32, 50)},
       {"cone", {}, 1, 0, 32 + 1, 100 * regular_polygon_area(32, 50) / 3},
   };
