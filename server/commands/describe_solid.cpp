@@ -20,8 +20,8 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
   }
   if (report.planes_before_merging > plane_count) {
     text += "merged: " + std::to_string(report.planes_before_merging) + " planes into " +
-            std::to_string(plane_count) + ", no corner farther than " +
-            to_short_text(report.largest_merge_distance) + " from its face's plane\n";
+            std::to_string(plane_count) + ", no corner moved farther than " +
+            to_short_text(report.largest_move) + "\n";
   }
   return text;
 }

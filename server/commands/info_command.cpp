@@ -102,7 +102,7 @@ std::string info_of_mesh(const InfoArguments& arguments) {
       {"largest_unevenness", to_text(report.largest_unevenness)},
       {"merged_points", std::to_string(report.merged_points)},
       {"planes_before_merging", std::to_string(report.planes_before_merging)},
-      {"largest_merge_distance", to_text(report.largest_merge_distance)},
+      {"largest_move", to_text(report.largest_move)},
   };
   return arguments.as_json ? to_json(fields) : to_lines(fields);
 }

@@ -51,6 +51,12 @@ class BoxTree {
     if (!nodes_.empty()) visit_pairs_within(0, visit);
   }
 
+  /// Calls visit(i) for every box that overlaps `box`.
+  template <class Visit>
+  void visit_overlapping(const Box& box, Visit visit) const {
+    if (!nodes_.empty()) visit_overlapping_in(0, box, visit);
+  }
+
   /// Calls visit(i) for every box that the ray from `p` along +z meets.
   template <class Visit>
   void visit_boxes_above(Vec3 p, Visit visit) const {
@@ -117,6 +123,20 @@ class BoxTree {
   template <class Visit>
   void visit_if_overlapping(std::uint32_t i, std::uint32_t j, Visit& visit) const {
     if (leaves_[i].box.overlaps(leaves_[j].box)) visit(leaves_[i].index, leaves_[j].index);
+  }
+
+  template <class Visit>
+  void visit_overlapping_in(std::uint32_t node_index, const Box& box, Visit& visit) const {
+    const Node& node = nodes_[node_index];
+    if (!node.box.overlaps(box)) return;
+    if (node.second_child != 0) {
+      visit_overlapping_in(node_index + 1, box, visit);
+      visit_overlapping_in(node.second_child, box, visit);
+      return;
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (leaves_[i].box.overlaps(box)) visit(leaves_[i].index);
+    }
   }
 
   template <class Visit>

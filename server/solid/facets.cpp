@@ -1,10 +1,9 @@
 #include "server/solid/facets.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
 
-#include "server/solid/grow_patches.hpp"
-#include "server/solid/share_planes.hpp"
+#include "server/solid/flat_surface.hpp"
+#include "server/solid/planar_patch.hpp"
 
 namespace spoctree {
 
@@ -30,46 +29,72 @@ void collect_facet_vertices(Solid& solid, std::size_t facets) {
   }
 }
 
-}  // namespace
-
-void group_into_facets(Solid& solid, double tolerance) {
-  std::vector<GridPoint> points;
-  points.reserve(solid.vertices.size());
-  for (const Vec3 v : solid.vertices) points.push_back(to_grid_integers(v));
-
-  const GrownPatches grown = grow_patches(solid.triangles, points, tolerance);
-  collect_facet_vertices(solid, grown.patches.size());
-  SharedPlanes shared = share_planes(grown.patches, solid, points, tolerance);
-  solid.facet_plane = std::move(shared.plane_of_patch);
-
-  solid.planes.clear();
-  Int128 largest_gap = 0;
-  for (SharedPlane& p : shared.planes) {
-    p.plane.offset = offset_above(p.range.highest);
-    const Int128 offset = static_cast<Int128>(p.plane.offset) << kGridBits;
-    largest_gap = std::max(largest_gap, offset - p.range.lowest);
-    solid.planes.push_back(p.plane.to_plane());
-  }
-  // Rounded up, twice at most: it is a bound.
-  solid.largest_incidence_gap = static_cast<double>(largest_gap) * 0x1p-104 * (1 + 0x1p-50);
-  solid.report.planes_before_merging = grown.distinct_triangle_planes;
-  solid.report.largest_merge_distance = solid.largest_incidence_gap * solid.universe.scale();
-}
-
-std::optional<std::array<std::uint32_t, 2>> find_lost_edge(const Solid& solid) {
-  for (const SolidTriangle& t : solid.triangles) {
-    const Vec3 here = solid.planes[solid.facet_plane[t.facet]].normal;
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t across = solid.triangles[t.neighbour[i]].facet;
-      const Vec3 there = solid.planes[solid.facet_plane[across]].normal;
-      // Both planes pass the edge within the gap; what is left to know is the angle between them.
-      if (glm::dot(here, there) < 0 &&
-          2 * solid.largest_incidence_gap > kMostEdgeShift * glm::length(glm::cross(here, there))) {
-        return std::array{t.vertex[i], t.vertex[(i + 1) % 3]};
+// Gives every triangle its facet; returns for each facet the number of its plane.
+std::vector<std::uint32_t> connect(Solid& solid, const std::vector<std::uint32_t>& number_of) {
+  std::vector<std::uint32_t> plane_of_facet;
+  for (SolidTriangle& t : solid.triangles) t.facet = kNone;
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t first = 0; first < solid.triangles.size(); ++first) {
+    if (solid.triangles[first].facet != kNone) continue;
+    const auto facet = static_cast<std::uint32_t>(plane_of_facet.size());
+    plane_of_facet.push_back(number_of[first]);
+    solid.triangles[first].facet = facet;
+    reached.assign(1, first);
+    while (!reached.empty()) {
+      const std::uint32_t t = reached.back();
+      reached.pop_back();
+      for (const std::uint32_t n : solid.triangles[t].neighbour) {
+        if (solid.triangles[n].facet != kNone || number_of[n] != number_of[t]) continue;
+        solid.triangles[n].facet = facet;
+        reached.push_back(n);
       }
     }
   }
-  return std::nullopt;
+  return plane_of_facet;
+}
+
+std::vector<GridPoint> points_of(const Solid& solid) {
+  std::vector<GridPoint> points;
+  points.reserve(solid.vertices.size());
+  for (const Vec3 v : solid.vertices) points.push_back(to_grid_integers(v));
+  return points;
+}
+
+}  // namespace
+
+void group_into_facets(Solid& solid, std::span<const GridPlane> planes) {
+  const NumberedPlanes numbered = number_planes(planes);
+  solid.facet_plane = connect(solid, numbered.number_of);
+  collect_facet_vertices(solid, solid.facet_plane.size());
+
+  const std::vector<GridPoint> points = points_of(solid);
+  std::vector<HeightRange> ranges(numbered.first.size());
+  for (std::uint32_t t = 0; t < solid.triangles.size(); ++t) {
+    for (const std::uint32_t v : solid.triangles[t].vertex) {
+      ranges[numbered.number_of[t]].add(planes[t].height(points[v]));
+    }
+  }
+  solid.planes.clear();
+  solid.planes.reserve(ranges.size());
+  Int128 largest_gap = 0;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    GridPlane plane = planes[numbered.first[i]];
+    plane.offset = offset_above(ranges[i].highest);
+    const Int128 offset = static_cast<Int128>(plane.offset) << kGridBits;
+    largest_gap = std::max(largest_gap, offset - ranges[i].lowest);
+    solid.planes.push_back(plane.to_plane());
+  }
+  // Rounded up, twice at most: it is a bound.
+  solid.largest_incidence_gap = static_cast<double>(largest_gap) * 0x1p-104 * (1 + 0x1p-50);
+}
+
+void group_into_facets(Solid& solid) {
+  std::vector<Corners> triangles;
+  triangles.reserve(solid.triangles.size());
+  for (const SolidTriangle& t : solid.triangles) {
+    triangles.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
+  }
+  group_into_facets(solid, planes_of(triangles, points_of(solid)));
 }
 
 }  // namespace spoctree

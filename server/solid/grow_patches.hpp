@@ -3,21 +3,15 @@
 
 #include <vector>
 
+#include "server/solid/flat_surface.hpp"
 #include "server/solid/planar_patch.hpp"
-#include "server/solid/solid.hpp"
 
 namespace spoctree {
 
-struct GrownPatches {
-  std::vector<PlanarPatch> patches;
-  std::size_t distinct_triangle_planes = 0;  ///< rounded to the grid
-};
-
-/// Gives every triangle its `facet`, an index in the patches returned; these are ordered by their
-/// first triangle. The corners of a patch spread over at most `tolerance` (universe units) across
-/// its plane, or, with tolerance 0, its triangles' planes are equal. O(n log n).
-/// REQUIRES: as group_into_facets.
-GrownPatches grow_patches(std::vector<SolidTriangle>& triangles,
-                          const std::vector<GridPoint>& points, double tolerance);
+/// The patches of at least two triangles, from that with the largest triangle on. No triangle is in
+/// two; each is in one if a neighbour fits. Starting from the largest triangles, neighbours join
+/// while the corners of all stay between two parallel planes `tolerance` (universe units) apart.
+/// O(n log n). REQUIRES: 0 < tolerance < 1.
+std::vector<PlanarPatch> grow_patches(const FlatSurface& surface, double tolerance);
 
 }  // namespace spoctree

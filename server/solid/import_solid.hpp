@@ -10,9 +10,9 @@
 namespace spoctree {
 
 struct ImportOptions {
-  /// Triangles whose corners lie between two parallel planes this far apart become one face, as a
-  /// fraction of the diagonal of the bounding box. Merged faces move outwards by no more, sharp
-  /// edges between them by more: it has to be far below the thickness of the thinnest part.
+  /// Neighbours whose corners lie between two parallel planes this far apart become one face, as a
+  /// fraction of the diagonal of the bounding box; corners move onto its plane, by less than twice
+  /// this. What would not bound a solid any more is merged less. 0: nothing is merged.
   double flat_tolerance = kDefaultFlatTolerance;
 };
 
@@ -28,7 +28,8 @@ struct ImportOptions {
 /// Throws BadInput("name: what is wrong, how often, and where first", in the file's coordinates) if
 /// there are no faces or degenerate ones, or if they do not bound a solid: border edges, edges with
 /// more than two faces, faces or shells that disagree about the outside, vertices with more than
-/// one fan of faces, self-intersections; and if the flat tolerance is as large as a part is thin.
+/// one fan of faces, self-intersections. The flat tolerance has no say in this: what is a solid
+/// without merging is one with it, and the other way round.
 ///
 /// REQUIRES: soup as from read_mesh (equal points merged, none unused); 0 <= flat_tolerance < 0.1.
 Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options);

@@ -1,8 +1,9 @@
-// A facet while its plane is still being looked for.
+// Triangles that are flat within a tolerance, while their plane is still being looked for.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "server/solid/grid_plane.hpp"
 
@@ -24,12 +25,13 @@ struct HeightRange {
   Int128 spread() const { return highest - lowest; }
 };
 
-/// Connected triangles that lie near one plane.
+/// Triangles that lie near one plane.
 struct PlanarPatch {
   GridPlane plane;       ///< of the first triangle, or with the mean normal
   HeightRange range;     ///< of all corners above `plane`
   bool is_exact = true;  ///< the planes of all triangles are equal to `plane`
   double area = 0;       ///< universe units; of its projection on its plane
+  std::vector<std::uint32_t> triangles;
 };
 
 /// A length in universe units as a difference of heights.

@@ -55,31 +55,61 @@ bool meet_wrongly(const Pair& pair) {
   }
 }
 
+// The triangles with what they share in front; meet_wrongly tells about all kinds.
+bool meet_wrongly(std::span<const Vec3> points, Corners a, Corners b) {
+  const auto point = [&](std::uint32_t i) { return Point(points[i].x, points[i].y, points[i].z); };
+  int shared = 0;
+  for (int k = shared; k < 3; ++k) {
+    const auto match = std::find(b.begin() + shared, b.end(), a[static_cast<std::size_t>(k)]);
+    if (match == b.end()) continue;
+    std::swap(a[static_cast<std::size_t>(k)], a[static_cast<std::size_t>(shared)]);
+    std::iter_swap(match, b.begin() + shared);
+    ++shared;
+  }
+  return meet_wrongly(
+      {{point(a[0]), point(a[1]), point(a[2])}, {point(b[0]), point(b[1]), point(b[2])}, shared});
+}
+
 }  // namespace
 
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles,
                                           const BoxTree& boxes) {
   SelfIntersections found;
-  const auto point = [&](std::uint32_t i) { return Point(points[i].x, points[i].y, points[i].z); };
   boxes.visit_overlapping_pairs([&](std::uint32_t i, std::uint32_t j) {
     if (found.count == kMostSelfIntersections) return;
-    Corners a = triangles[i];
-    Corners b = triangles[j];
-    int shared = 0;
-    for (int k = shared; k < 3; ++k) {
-      const auto match = std::find(b.begin() + shared, b.end(), a[static_cast<std::size_t>(k)]);
-      if (match == b.end()) continue;
-      std::swap(a[static_cast<std::size_t>(k)], a[static_cast<std::size_t>(shared)]);
-      std::iter_swap(match, b.begin() + shared);
-      ++shared;
-    }
-    const Pair pair{
-        {point(a[0]), point(a[1]), point(a[2])}, {point(b[0]), point(b[1]), point(b[2])}, shared};
-    if (!meet_wrongly(pair)) return;
+    if (!meet_wrongly(points, triangles[i], triangles[j])) return;
     const std::array<std::uint32_t, 2> ordered{std::min(i, j), std::max(i, j)};
     if (found.count++ == 0 || ordered < found.first) found.first = ordered;
   });
+  return found;
+}
+
+std::vector<std::array<std::uint32_t, 2>> find_new_self_intersections(
+    std::span<const Vec3> points, std::span<const Corners> triangles,
+    std::span<const std::uint32_t> changed, const BoxTree& boxes_before) {
+  std::vector<std::array<std::uint32_t, 2>> found;
+  const auto judge = [&](std::uint32_t i, std::uint32_t j) {
+    if (found.size() < kMostSelfIntersections && meet_wrongly(points, triangles[i], triangles[j])) {
+      found.push_back({i, j});
+    }
+  };
+  std::vector<Corners> changed_triangles;
+  std::vector<std::uint8_t> is_changed(triangles.size(), 0);
+  for (const std::uint32_t t : changed) {
+    changed_triangles.push_back(triangles[t]);
+    is_changed[t] = 1;
+  }
+  box_tree_of(points, changed_triangles)
+      .visit_overlapping_pairs(
+          [&](std::uint32_t i, std::uint32_t j) { judge(changed[i], changed[j]); });
+  for (const std::uint32_t t : changed) {
+    const auto& [a, b, c] = triangles[t];
+    boxes_before.visit_overlapping(box_around(points[a], points[b], points[c]),
+                                   [&](std::uint32_t other) {
+                                     if (is_changed[other] == 0) judge(t, other);
+                                   });
+  }
   return found;
 }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "server/solid/box_tree.hpp"
 #include "server/solid/grid_mesh.hpp"
@@ -24,6 +25,14 @@ struct SelfIntersections {
 /// two corners share an edge.
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles, const BoxTree& boxes);
+
+/// The pairs of which at least one triangle is `changed`, at most kMostSelfIntersections: what
+/// there is to find after some triangles of a surface without self-intersections have changed.
+/// `boxes_before` holds the boxes of the triangles before; those of the others have not changed.
+/// REQUIRES: as find_self_intersections; `changed` holds no triangle twice.
+std::vector<std::array<std::uint32_t, 2>> find_new_self_intersections(
+    std::span<const Vec3> points, std::span<const Corners> triangles,
+    std::span<const std::uint32_t> changed, const BoxTree& boxes_before);
 
 /// The tree of the triangles' boxes.
 BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles);

@@ -1,17 +1,12 @@
 #include "server/solid/share_planes.hpp"
 
 #include <array>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
-#include <limits>
 #include <numeric>
 #include <unordered_map>
 
 namespace spoctree {
 
 namespace {
-
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // Planes are filed in cells of this side in the space of normals and offsets.
 constexpr double kCell = 0x1p-10;
@@ -36,41 +31,55 @@ std::uint64_t key_of(const Cell& cell) {
   return key;
 }
 
+// A plane and the heights of the corners of all its patches above it.
+struct SharedPlane {
+  GridPlane plane;
+  HeightRange range;
+};
+
 class PlaneSharer {
  public:
-  PlaneSharer(const Solid& solid, const std::vector<GridPoint>& points, double tolerance)
-      : solid_(solid), points_(points), tolerance_(tolerance), most_spread_(to_height(tolerance)) {}
+  PlaneSharer(const FlatSurface& surface, double tolerance)
+      : surface_(surface), tolerance_(tolerance), most_spread_(to_height(tolerance)) {}
 
   /// The number of the plane for a patch, a new one if none fits.
-  std::uint32_t find_or_add(const PlanarPatch& patch, std::uint32_t facet);
-  std::vector<SharedPlane> planes;
+  std::uint32_t find_or_add(const PlanarPatch& patch);
 
  private:
-  std::uint32_t find(const PlanarPatch& patch, std::uint32_t facet);
+  std::uint32_t find(const PlanarPatch& patch);
   void collect_candidates(const Place& place, const Place& margin);
-  bool join(SharedPlane& shared, const PlanarPatch& patch, std::uint32_t facet) const;
-  double largest_tilt(const PlanarPatch& patch, std::uint32_t facet) const;
+  bool join(SharedPlane& shared, const PlanarPatch& patch) const;
+  double largest_tilt(const PlanarPatch& patch) const;
 
-  const Solid& solid_;
-  const std::vector<GridPoint>& points_;
+  const FlatSurface& surface_;
   double tolerance_;
   Int128 most_spread_;
+  std::vector<SharedPlane> planes_;
   std::unordered_map<std::uint64_t, std::uint32_t> newest_in_cell_;
   std::vector<std::uint32_t> next_in_cell_;  // for each plane: the one before it in its cell
   std::vector<std::uint32_t> candidates_;
 };
 
-// By how much the normal of a plane within the tolerance of the facet's corners can differ from the
-// facet's own: the narrower the facet, the more. Larger tilts than half a cell are not looked for.
-double PlaneSharer::largest_tilt(const PlanarPatch& patch, std::uint32_t facet) const {
-  const auto corners = solid_.vertices_of_facet(facet);
-  Vec3 lower = solid_.vertices[corners[0]];
-  Vec3 upper = lower;
-  for (const std::uint32_t v : corners) {
-    lower = glm::min(lower, solid_.vertices[v]);
-    upper = glm::max(upper, solid_.vertices[v]);
+// By how much the normal of a plane within the tolerance of the patch's corners can differ from the
+// patch's own: the narrower the patch, the more. Larger tilts than half a cell are not looked for.
+double PlaneSharer::largest_tilt(const PlanarPatch& patch) const {
+  const std::uint32_t any = surface_.triangles[patch.triangles.front()][0];
+  GridPoint lower = surface_.points[any];
+  GridPoint upper = lower;
+  for (const std::uint32_t t : patch.triangles) {
+    for (const std::uint32_t v : surface_.triangles[t]) {
+      for (std::size_t i = 0; i < 3; ++i) {
+        lower[i] = std::min(lower[i], surface_.points[v][i]);
+        upper[i] = std::max(upper[i], surface_.points[v][i]);
+      }
+    }
   }
-  const double width = patch.area / glm::distance(lower, upper);
+  double squared_diagonal = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double side = static_cast<double>(upper[i] - lower[i]) * 0x1p-52;
+    squared_diagonal += side * side;
+  }
+  const double width = patch.area / std::sqrt(squared_diagonal);
   return std::min(kCell / 2, 2 * tolerance_ / width + 0x1p-50);
 }
 
@@ -83,7 +92,7 @@ void PlaneSharer::collect_candidates(const Place& place, const Place& margin) {
     last[i] = cell_coordinate(place[i] + margin[i]);
   }
   const auto is_near = [&](std::uint32_t candidate) {
-    const Place other = place_of(planes[candidate].plane);
+    const Place other = place_of(planes_[candidate].plane);
     for (std::size_t i = 0; i < 4; ++i) {
       if (std::abs(other[i] - place[i]) > margin[i]) return false;
     }
@@ -108,10 +117,12 @@ void PlaneSharer::collect_candidates(const Place& place, const Place& margin) {
   std::sort(candidates_.begin(), candidates_.end());
 }
 
-bool PlaneSharer::join(SharedPlane& shared, const PlanarPatch& patch, std::uint32_t facet) const {
+bool PlaneSharer::join(SharedPlane& shared, const PlanarPatch& patch) const {
   HeightRange range = shared.range;
-  for (const std::uint32_t v : solid_.vertices_of_facet(facet)) {
-    range.add(shared.plane.height(points_[v]));
+  for (const std::uint32_t t : patch.triangles) {
+    for (const std::uint32_t v : surface_.triangles[t]) {
+      range.add(shared.plane.height(surface_.points[v]));
+    }
   }
   // What equal planes differ by is the rounding to the grid, and not held against them.
   if (shared.plane != patch.plane && range.spread() > most_spread_) return false;
@@ -119,22 +130,22 @@ bool PlaneSharer::join(SharedPlane& shared, const PlanarPatch& patch, std::uint3
   return true;
 }
 
-std::uint32_t PlaneSharer::find(const PlanarPatch& patch, std::uint32_t facet) {
-  const double tilt = most_spread_ == 0 ? 0 : largest_tilt(patch, facet);
+std::uint32_t PlaneSharer::find(const PlanarPatch& patch) {
+  const double tilt = largest_tilt(patch);
   // Points of the universe cube are at most sqrt(3) from the origin.
-  const double shift = most_spread_ == 0 ? 0 : std::min(kCell / 2, 1.75 * tilt + 2 * tolerance_);
+  const double shift = std::min(kCell / 2, 1.75 * tilt + 2 * tolerance_);
   collect_candidates(place_of(patch.plane), {tilt, tilt, tilt, shift});
   for (const std::uint32_t candidate : candidates_) {
-    if (join(planes[candidate], patch, facet)) return candidate;
+    if (join(planes_[candidate], patch)) return candidate;
   }
   return kNone;
 }
 
-std::uint32_t PlaneSharer::find_or_add(const PlanarPatch& patch, std::uint32_t facet) {
-  const std::uint32_t found = find(patch, facet);
+std::uint32_t PlaneSharer::find_or_add(const PlanarPatch& patch) {
+  const std::uint32_t found = find(patch);
   if (found != kNone) return found;
-  const auto number = static_cast<std::uint32_t>(planes.size());
-  planes.push_back({patch.plane, patch.range});
+  const auto number = static_cast<std::uint32_t>(planes_.size());
+  planes_.push_back({patch.plane, patch.range});
   const Place place = place_of(patch.plane);
   const std::uint64_t key = key_of({cell_coordinate(place[0]), cell_coordinate(place[1]),
                                     cell_coordinate(place[2]), cell_coordinate(place[3])});
@@ -146,27 +157,19 @@ std::uint32_t PlaneSharer::find_or_add(const PlanarPatch& patch, std::uint32_t f
 
 }  // namespace
 
-SharedPlanes share_planes(const std::vector<PlanarPatch>& patches, const Solid& solid,
-                          const std::vector<GridPoint>& points, double tolerance) {
+std::vector<std::uint32_t> share_planes(const std::vector<PlanarPatch>& patches,
+                                        const FlatSurface& surface, double tolerance) {
   std::vector<std::uint32_t> order(patches.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t i, std::uint32_t j) {
     return patches[i].area > patches[j].area;
   });
-  PlaneSharer sharer(solid, points, tolerance);
-  std::vector<std::uint32_t> found(patches.size());
-  for (const std::uint32_t patch : order) found[patch] = sharer.find_or_add(patches[patch], patch);
-
-  SharedPlanes shared;
-  std::vector<std::uint32_t> new_number(sharer.planes.size(), kNone);
-  for (const std::uint32_t old : found) {
-    if (new_number[old] == kNone) {
-      new_number[old] = static_cast<std::uint32_t>(shared.planes.size());
-      shared.planes.push_back(sharer.planes[old]);
-    }
-    shared.plane_of_patch.push_back(new_number[old]);
+  PlaneSharer sharer(surface, tolerance);
+  std::vector<std::uint32_t> plane_of_patch(patches.size());
+  for (const std::uint32_t patch : order) {
+    plane_of_patch[patch] = sharer.find_or_add(patches[patch]);
   }
-  return shared;
+  return plane_of_patch;
 }
 
 }  // namespace spoctree

@@ -78,25 +78,16 @@ ShellJudgement judge_shells(const GridMesh& mesh, const std::vector<Corners>& ne
                             const BoxTree& boxes) {
   std::vector<std::uint32_t> shell_of;
   const std::vector<Shell> shells = find_shells(mesh, neighbours, shell_of);
+  ShellJudgement judgement;
+  judgement.shells = shells.size();
   Wide volume = 0;
-  std::size_t wrong = 0;
-  std::uint32_t first_wrong = 0;
   for (const Shell& shell : shells) {
     volume += shell.volume;
     const bool bounds_cavity =
         shells.size() > 1 && is_cavity(mesh, boxes, shell_of, shell.first_triangle);
     if ((shell.volume < 0) == bounds_cavity) continue;
-    if (wrong++ == 0) first_wrong = shell.first_triangle;
+    if (judgement.wrong++ == 0) judgement.first_wrong = shell.first_triangle;
   }
-  if (wrong > 0 && wrong < shells.size()) {
-    mesh.fail("not consistently oriented: " + std::to_string(wrong) + " of " +
-              std::to_string(shells.size()) +
-              " shells face the wrong way for how they nest, the first has a face at " +
-              mesh.place(mesh.triangles[first_wrong]));
-  }
-  ShellJudgement judgement;
-  judgement.is_inside_out = wrong > 0;
-  if (judgement.is_inside_out) volume = -volume;
   judgement.volume = static_cast<double>(volume.convert_to<long double>() / 6 * 0x1p-156L);
   return judgement;
 }

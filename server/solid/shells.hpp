@@ -8,14 +8,18 @@
 namespace spoctree {
 
 struct ShellJudgement {
-  bool is_inside_out = false;  ///< every shell faces the wrong way: reversing all makes a solid
-  double volume = 0;           ///< enclosed material, positive, in cubed universe units
+  std::size_t shells = 0;
+  std::size_t wrong = 0;          ///< shells that face the wrong way for how they nest
+  std::uint32_t first_wrong = 0;  ///< a triangle of the first of these
+  double volume = 0;  ///< enclosed material in cubed universe units; negative if all are wrong
+
+  /// Every shell faces the wrong way: reversing all makes a solid.
+  bool is_inside_out() const { return wrong > 0 && wrong == shells; }
 };
 
 /// A shell within an even number of others must enclose material, one within an odd number must
 /// bound a cavity. Exact: volumes are summed in integers, nesting is decided by UpwardRay. The
 /// volume is rounded once, at the end. Near-linear for few shells.
-/// Throws BadInput if some shells face the right way and others do not.
 /// REQUIRES: neighbours as from find_neighbours, no self-intersections, boxes of the triangles.
 ShellJudgement judge_shells(const GridMesh& mesh, const std::vector<Corners>& neighbours,
                             const BoxTree& boxes);

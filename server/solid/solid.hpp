@@ -28,7 +28,7 @@ struct SolidReport {
   bool was_turned = false;        ///< all faces pointed inwards and were reversed
   std::size_t merged_points = 0;
   std::size_t planes_before_merging = 0;  ///< distinct planes with flat tolerance 0
-  double largest_merge_distance = 0;  ///< of a corner from its facet's plane, model units
+  double largest_move = 0;  ///< of a corner onto the planes of merged faces, model units
 };
 
 /// A closed, oriented, 2-manifold, not self-intersecting polyhedral solid (possibly of several
@@ -37,7 +37,8 @@ struct Solid {
   Universe universe;
   std::vector<Vec3> vertices;
   std::vector<SolidTriangle> triangles;
-  /// A facet is a connected set of coplanar triangles; several facets may lie on one plane.
+  /// A facet is a connected set of triangles in one plane; several facets may share it. Its
+  /// triangles' corners are within rounding to the grid of the plane, see largest_incidence_gap.
   std::vector<std::uint32_t> facet_plane;         ///< index in `planes`
   std::vector<std::uint32_t> facet_vertex_begin;  ///< facets + 1 offsets into facet_vertices
   std::vector<std::uint32_t> facet_vertices;      ///< sorted per facet

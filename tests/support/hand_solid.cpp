@@ -14,8 +14,7 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 Universe unit_universe() { return {Vec3{0.0}, 0, 1.0}; }
 
-Solid hand_solid(std::vector<Vec3> points, const Triangles& triangles, const Universe& universe,
-                 double flat_tolerance) {
+Solid hand_solid(std::vector<Vec3> points, const Triangles& triangles, const Universe& universe) {
   Solid solid;
   solid.universe = universe;
   solid.vertices = std::move(points);
@@ -40,7 +39,7 @@ Solid hand_solid(std::vector<Vec3> points, const Triangles& triangles, const Uni
     solid.triangles.push_back(triangle);
   }
   solid.volume = six_volumes / 6 * std::pow(universe.scale(), 3);
-  group_into_facets(solid, flat_tolerance);
+  group_into_facets(solid);
   return solid;
 }
 

@@ -21,7 +21,7 @@ Universe unit_universe();
 /// closed and edge-manifold.
 Solid hand_solid(std::vector<Vec3> points,
                  const std::vector<std::array<std::uint32_t, 3>>& triangles,
-                 const Universe& universe = unit_universe(), double flat_tolerance = 0);
+                 const Universe& universe = unit_universe());
 
 Solid box_solid(Vec3 lower, Vec3 upper);
 

@@ -1,0 +1,176 @@
+#include "server/solid/merge_faces.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "server/solid/mend_folds.hpp"
+#include "server/solid/self_intersections.hpp"
+#include "server/solid/settle_corners.hpp"
+
+namespace spoctree {
+
+namespace {
+
+// After so many rounds of pinning corners nothing is merged at all.
+constexpr int kMostRounds = 24;
+// From this round on, pins spread to the neighbours of what is wrong.
+constexpr int kFirstSpreadingRound = 6;
+
+// Corners stay this much below twice the tolerance.
+constexpr double kMostMoves = 2 - 0x1p-20;
+
+class Merger {
+ public:
+  Merger(const GridMesh& mesh, const FlatSurface& surface, const BoxTree& boxes,
+         const ShellJudgement& shells, double tolerance)
+      : mesh_(mesh),
+        surface_(surface),
+        boxes_(boxes),
+        shells_(shells),
+        settler_(surface, find_flat_groups(surface, tolerance), kMostMoves * tolerance) {}
+
+  /// Nothing if it does not work out.
+  std::optional<PlanarSurface> merge();
+
+ private:
+  struct Attempt {
+    SettledSurface surface;
+    std::vector<Vec3> vertices;
+    std::vector<std::uint32_t> changed;  // triangles
+    std::vector<std::uint32_t> wrong;    // triangles that must not stay as they are
+  };
+
+  Attempt attempt();
+  void find_wrong(Attempt& attempt) const;
+  void pin_corners(const std::vector<std::uint32_t>& triangles, bool spread);
+  std::optional<PlanarSurface> finish(Attempt attempt) const;
+
+  const GridMesh& mesh_;
+  const FlatSurface& surface_;
+  const BoxTree& boxes_;
+  const ShellJudgement& shells_;
+  CornerSettler settler_;
+};
+
+Merger::Attempt Merger::attempt() {
+  settler_.settle();
+  const FlatGroups& groups = settler_.groups();
+  Attempt made;
+  made.surface = {settler_.points(),
+                  &groups,
+                  {surface_.triangles.begin(), surface_.triangles.end()},
+                  {surface_.neighbours.begin(), surface_.neighbours.end()}};
+  made.vertices = mesh_.vertices;
+  for (std::uint32_t v = 0; v < made.vertices.size(); ++v) {
+    if (!settler_.is_moved(v)) continue;
+    for (int i = 0; i < 3; ++i) {
+      made.vertices[v][i] =
+          static_cast<double>(settler_.points()[v][static_cast<std::size_t>(i)]) * 0x1p-52;
+    }
+  }
+  std::vector<std::uint32_t> suspects;
+  for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+    const Corners& c = surface_.triangles[t];
+    const bool is_changed =
+        settler_.is_moved(c[0]) || settler_.is_moved(c[1]) || settler_.is_moved(c[2]);
+    if (is_changed) made.changed.push_back(t);
+    const std::uint32_t group = groups.of_triangle[t];
+    if (group != kNone && (is_changed || !groups.groups[group].is_exact)) suspects.push_back(t);
+  }
+  const std::vector<std::uint32_t> turned = mend_folds(made.surface, suspects);
+  made.wrong = std::move(suspects);
+  const auto middle = made.changed.insert(made.changed.end(), turned.begin(), turned.end());
+  std::inplace_merge(made.changed.begin(), middle, made.changed.end());
+  made.changed.erase(std::unique(made.changed.begin(), made.changed.end()), made.changed.end());
+  return made;
+}
+
+void Merger::find_wrong(Attempt& attempt) const {
+  for (const std::uint32_t t : attempt.changed) {
+    const Corners& c = attempt.surface.triangles[t];
+    const auto& points = attempt.surface.points;
+    if (area_vector(points[c[0]], points[c[1]], points[c[2]]) == AreaVector{0, 0, 0}) {
+      attempt.wrong.push_back(t);
+    }
+  }
+  if (!attempt.wrong.empty()) return;
+  for (const auto& pair : find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
+                                                      attempt.changed, boxes_)) {
+    attempt.wrong.insert(attempt.wrong.end(), pair.begin(), pair.end());
+  }
+}
+
+void Merger::pin_corners(const std::vector<std::uint32_t>& triangles, bool spread) {
+  const auto pin = [&](std::uint32_t t) {
+    for (const std::uint32_t v : surface_.triangles[t]) settler_.pin(v);
+  };
+  for (const std::uint32_t t : triangles) {
+    pin(t);
+    if (!spread) continue;
+    for (const std::uint32_t n : surface_.neighbours[t]) pin(n);
+  }
+}
+
+std::optional<PlanarSurface> Merger::finish(Attempt attempt) const {
+  const FlatGroups& groups = settler_.groups();
+  PlanarSurface merged;
+  merged.mesh = mesh_;
+  merged.mesh.vertices = std::move(attempt.vertices);
+  merged.mesh.triangles = std::move(attempt.surface.triangles);
+  merged.neighbours = std::move(attempt.surface.neighbours);
+  // Where corners moved far enough, a small shell may have changed places with a wall.
+  merged.shells = judge_shells(
+      merged.mesh, merged.neighbours,
+      shells_.shells > 1 ? box_tree_of(merged.mesh.vertices, merged.mesh.triangles) : boxes_);
+  if (merged.shells.wrong > 0) return std::nullopt;
+
+  merged.planes = surface_.planes;
+  for (const std::uint32_t t : attempt.changed) {
+    merged.planes[t] = plane_of(merged.mesh.triangles[t], settler_.points());
+  }
+  for (std::uint32_t t = 0; t < merged.planes.size(); ++t) {
+    const std::uint32_t group = groups.of_triangle[t];
+    if (group != kNone) merged.planes[t] = groups.groups[group].plane;
+  }
+  double squared_move = 0;
+  for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
+    const Vec3 way = merged.mesh.vertices[v] - mesh_.vertices[v];
+    squared_move = std::max(squared_move, way.x * way.x + way.y * way.y + way.z * way.z);
+  }
+  merged.largest_move = std::sqrt(squared_move);
+  return merged;
+}
+
+std::optional<PlanarSurface> Merger::merge() {
+  for (int round = 0; round < kMostRounds; ++round) {
+    Attempt made = attempt();
+    find_wrong(made);
+    if (made.wrong.empty()) return finish(std::move(made));
+    pin_corners(made.wrong, round >= kFirstSpreadingRound);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const BoxTree& boxes,
+                          const ShellJudgement& shells, double tolerance) {
+  FlatSurface surface = make_flat_surface(mesh.vertices, mesh.triangles, neighbours);
+  if (tolerance > 0) {
+    auto merged = Merger(mesh, surface, boxes, shells, tolerance).merge();
+    if (merged) {
+      merged->planes_before_merging = surface.distinct_planes;
+      return std::move(*merged);
+    }
+  }
+  PlanarSurface as_it_is;
+  as_it_is.planes = std::move(surface.planes);
+  as_it_is.planes_before_merging = surface.distinct_planes;
+  as_it_is.mesh = std::move(mesh);
+  as_it_is.neighbours = std::move(neighbours);
+  as_it_is.shells = shells;
+  return as_it_is;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,33 @@
+// Neighbouring triangles that are flat within a tolerance -> one flat face, its corners moved onto
+// its plane.
+#pragma once
+
+#include "server/solid/box_tree.hpp"
+#include "server/solid/grid_mesh.hpp"
+#include "server/solid/grid_plane.hpp"
+#include "server/solid/shells.hpp"
+
+namespace spoctree {
+
+/// Triangles that bound a solid, each with its plane: its corners are within a few steps of the
+/// grid of it.
+struct PlanarSurface {
+  GridMesh mesh;
+  std::vector<Corners> neighbours;
+  std::vector<GridPlane> planes;  ///< equal for triangles that were made one face
+  ShellJudgement shells;
+  std::size_t planes_before_merging = 0;
+  double largest_move = 0;  ///< of a corner, universe units
+};
+
+/// Merges what lies within `tolerance` (universe units) of one plane and moves corners by less than
+/// twice that: no point farther than that from the surface changes sides. What comes out has been
+/// judged like what went in; where moved corners would make triangles vanish, turn over or meet
+/// others, they stay where they were, and what they belong to is merged no further than that
+/// allows. In the worst case nothing is merged. With tolerance 0 nothing moves.
+/// Near-linear. REQUIRES: a judged surface that faces outwards, `boxes` of its triangles;
+/// 0 <= tolerance < 0.5.
+PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const BoxTree& boxes,
+                          const ShellJudgement& shells, double tolerance);
+
+}  // namespace spoctree
