@@ -6,6 +6,7 @@
 #include <string>
 
 #include "common/program/run_program.hpp"
+#include "common/program/threads.hpp"
 #include "server/commands/build_command.hpp"
 #include "server/commands/info_command.hpp"
 #include "server/commands/serve_command.hpp"
@@ -55,7 +56,11 @@ int main(int argc, char** argv) {
   build_command.add_option("-o,--output", build.output, "the .spo file; - is standard output")
       ->required();
   add_model_options(build_command, build.options);
-  build_command.callback([&] { run_build(build); });
+  ThreadsOption build_threads(build_command);
+  build_command.callback([&] {
+    build_threads.apply();
+    run_build(build);
+  });
 
   ServeArguments serve;
   CLI::App& serve_command = *app.add_subcommand(
@@ -71,7 +76,11 @@ int main(int argc, char** argv) {
                   "HOST:PORT; port 0 is any free one; a line on standard output says which")
       ->capture_default_str();
   add_model_options(serve_command, serve.options);
-  serve_command.callback([&] { run_serve(serve); });
+  ThreadsOption serve_threads(serve_command);
+  serve_command.callback([&] {
+    serve_threads.apply();
+    run_serve(serve);
+  });
 
   InfoArguments info;
   CLI::App& info_command = *app.add_subcommand("info", "say what a .spo file or a mesh holds");

@@ -10,7 +10,14 @@ namespace {
 constexpr int kMostThreads = 1024;
 }
 
+// Built in place: oneTBB lets its controls be copied, and a copy that dies ends the limit.
 struct ThreadsOption::Limit {
+  explicit Limit(int threads)
+      : control(oneapi::tbb::global_control::max_allowed_parallelism,
+                static_cast<std::size_t>(threads)) {}
+  Limit(const Limit&) = delete;
+  Limit& operator=(const Limit&) = delete;
+
   oneapi::tbb::global_control control;
 };
 
@@ -24,8 +31,7 @@ ThreadsOption::~ThreadsOption() = default;
 
 void ThreadsOption::apply() {
   if (threads_ == 0) return;
-  limit_ = std::make_unique<Limit>(Limit{oneapi::tbb::global_control(
-      oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads_))});
+  limit_ = std::make_unique<Limit>(threads_);
 }
 
 }  // namespace spoctree

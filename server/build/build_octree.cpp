@@ -1,169 +1,139 @@
 #include "server/build/build_octree.hpp"
 
-#include <array>
-#include <cmath>
-#include <memory>
+#include <oneapi/tbb/enumerable_thread_specific.h>
+#include <oneapi/tbb/task_group.h>
 
-#include "server/build/cell_volume.hpp"
-#include "server/build/corner_states.hpp"
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "server/build/join_parts.hpp"
+#include "server/build/subtree_builder.hpp"
 
 namespace spoctree {
 
 namespace {
 
-class Builder {
- public:
-  Builder(const Solid& solid, const SolidQueries& queries, const BuildOptions& options)
-      : solid_(solid),
-        queries_(queries),
-        options_(options),
-        incidence_(solid),
-        sides_(solid, incidence_),
-        classifier_(solid, incidence_, queries, options.rules) {}
+/// The planes of a GREY node and of its ancestors.
+struct ResolvedPlanes {
+  std::shared_ptr<const ResolvedPlanes> above;
+  std::vector<std::uint32_t> planes;
+};
 
-  BuiltOctree build() {
-    result_.tree.universe = solid_.universe;
-    Cell root;
-    root.boundary = whole_boundary(solid_);
-    // Import makes the universe cube larger than the solid, but it may be of the same size.
-    for (unsigned octant = 0; octant < 8; ++octant) {
-      const auto side = queries_.side_of(root.corner_position(solid_, octant));
-      root.corners[octant] =
-          side == SolidQueries::Side::Out ? CornerState::Outside : CornerState::Boundary;
-    }
-    Decision decision;
-    classifier_.classify(root, decision);
-    append(root, decision);
-    if (decision.kind == NodeKind::Grey) subdivide(root, decision);
-    renumber_planes();
-    return std::move(result_);
+/// A cell and everything below it, still to be built.
+struct Job {
+  Cell cell;
+  double work = 1;  ///< its share of all work, see SubtreeBuilder::decide
+  std::shared_ptr<const ResolvedPlanes> resolved;
+  Branch& result;
+};
+
+/// One job makes eight of a large GREY cell, and all nodes of a small one. A job waits for no
+/// other, so each thread can have its builder; and the threads take the newest of their own jobs
+/// first, so few large cells exist at a time.
+class ParallelBuilder {
+ public:
+  ParallelBuilder(const BuildContext& context, const BuildOptions& options)
+      : options_(options),
+        progress_(options.progress),
+        builders_([this, &context] { return SubtreeBuilder(context, progress_); }) {}
+
+  void build(Cell root, Branch& result) {
+    start(Job{std::move(root), 1, nullptr, result});
+    jobs_.wait();
   }
 
  private:
-  /// Working memory of one depth: the eight children and the halves on the way to them.
-  struct Workspace {
-    std::array<Cell, 8> children;
-    std::array<Decision, 8> decisions;
-    std::array<FragmentList, 2> by_z;
-    std::array<FragmentList, 2> by_y;
-  };
-
-  Workspace& workspace(std::uint32_t depth) {
-    while (workspaces_.size() <= depth) workspaces_.push_back(std::make_unique<Workspace>());
-    return *workspaces_[depth];
+  void start(Job job) {
+    jobs_.run([this, job = std::make_shared<Job>(std::move(job))] { build(*job); });
   }
 
-  void append(const Cell& cell, const Decision& decision) {
-    auto& levels = result_.tree.levels;
-    if (levels.size() <= cell.depth) {
-      levels.resize(cell.depth + 1);
-      result_.witnesses.resize(cell.depth + 1);
-      result_.leaf_volumes.resize(cell.depth + 1, 0.0);
-      result_.leaf_areas.resize(cell.depth + 1, 0.0);
-      result_.grey_areas.resize(cell.depth + 1, 0.0);
+  void build(Job& job) {
+    SubtreeBuilder& builder = builders_.local();
+    const auto resolved = job.resolved;
+    for (auto* node = resolved.get(); node != nullptr; node = node->above.get()) {
+      builder.enter(node->planes);
     }
-    levels[cell.depth].append(decision.kind, decision.planes, decision.tokens);
+    Decision decision;
+    builder.decide(job.cell, job.work, decision, job.result.parts.emplace_back());
     if (decision.kind == NodeKind::Grey) {
-      result_.witnesses[cell.depth].push_back(decision.witness);
-      result_.grey_areas[cell.depth] += boundary_area(cell);
-    } else {
-      if (decision.kind != NodeKind::White) {
-        result_.leaf_volumes[cell.depth] += material_volume(solid_, queries_, cell);
-        result_.leaf_areas[cell.depth] += boundary_area(cell);
-      }
-      report_progress(cell.depth);
-    }
-    if (decision.is_depth_limited) ++result_.depth_limited_nodes;
-  }
-
-  void report_progress(std::uint32_t depth) {
-    done_ += std::ldexp(1.0, -3 * static_cast<int>(depth));
-    if (options_.progress && (++leaves_ % 1024 == 0 || depth == 0)) options_.progress(done_);
-  }
-
-  /// Depth first; the nodes of each level still come in breadth-first order, because all eight
-  /// children are appended before the next node of the parent's level is visited.
-  void subdivide(const Cell& parent, const Decision& parent_decision) {
-    Workspace& work = workspace(parent.depth);
-    make_children(parent, work);
-    classifier_.push(parent_decision.planes);
-    for (unsigned octant = 0; octant < 8; ++octant) {
-      Cell& child = work.children[octant];
-      propagate_corner_states(solid_, child);
-      classifier_.classify(child, work.decisions[octant]);
-      append(child, work.decisions[octant]);
-    }
-    for (unsigned octant = 0; octant < 8; ++octant) {
-      if (work.decisions[octant].kind == NodeKind::Grey) {
-        subdivide(work.children[octant], work.decisions[octant]);
+      if (job.cell.boundary.fragments.size() > options_.fragments_per_job) {
+        start_children(job, decision, builder);
+      } else {
+        builder.enter(decision.planes);
+        std::vector<LevelPart> below;
+        builder.build_below(job.cell, job.work, below);
+        for (LevelPart& part : below) job.result.parts.push_back(std::move(part));
+        builder.leave(decision.planes);
       }
     }
-    classifier_.pop(parent_decision.planes);
+    for (auto* node = resolved.get(); node != nullptr; node = node->above.get()) {
+      builder.leave(node->planes);
+    }
+    job.cell = {};
   }
 
-  void make_children(const Cell& parent, Workspace& work) {
-    const auto middle = [&](int axis) {
-      return wall_coordinate(solid_.universe.half_side, parent.lower[axis] + parent.size() / 2);
-    };
-    for (unsigned octant = 0; octant < 8; ++octant) {
-      Cell& child = work.children[octant];
-      child.depth = parent.depth + 1;
-      child.boundary.clear();
-      child.corners.fill(CornerState::Unknown);
-      child.corners[octant] = parent.corners[octant];
-      for (unsigned axis = 0; axis < 3; ++axis) {
-        child.lower[axis] = parent.lower[axis] + (((octant >> axis) & 1) ? child.size() : 0);
-      }
-    }
-    split(parent.boundary, 2, middle(2), work.by_z[0], work.by_z[1]);
-    for (unsigned z = 0; z < 2; ++z) {
-      split(work.by_z[z], 1, middle(1), work.by_y[0], work.by_y[1]);
-      for (unsigned y = 0; y < 2; ++y) {
-        const unsigned octant = 4 * z + 2 * y;
-        split(work.by_y[y], 0, middle(0), work.children[octant].boundary,
-              work.children[octant + 1].boundary);
-      }
+  void start_children(Job& job, const Decision& decision, SubtreeBuilder& builder) {
+    const auto resolved =
+        std::make_shared<const ResolvedPlanes>(ResolvedPlanes{job.resolved, decision.planes});
+    std::array<Cell, 8> children;
+    builder.split(job.cell, children);
+    job.cell = {};
+    const std::size_t fragments = count_fragments(children);
+    for (Cell& child : children) {
+      Branch& branch = *job.result.branches.emplace_back(std::make_unique<Branch>());
+      const double work = child_work(job.work, child, fragments);
+      start(Job{std::move(child), work, resolved, branch});
     }
   }
 
-  void split(const FragmentList& whole, int axis, double coordinate, FragmentList& lower,
-             FragmentList& upper) {
-    lower.clear();
-    upper.clear();
-    split_fragments(whole, solid_, sides_, axis, coordinate, lower, upper);
-  }
-
-  void renumber_planes() {
-    constexpr auto kNone = static_cast<std::uint32_t>(-1);
-    std::vector<std::uint32_t> number(solid_.planes.size(), kNone);
-    for (Level& level : result_.tree.levels) {
-      for (std::uint32_t& plane : level.references) {
-        if (number[plane] == kNone) {
-          number[plane] = static_cast<std::uint32_t>(result_.tree.planes.size());
-          result_.tree.planes.push_back(solid_.planes[plane]);
-        }
-        plane = number[plane];
-      }
-    }
-  }
-
-  const Solid& solid_;
-  const SolidQueries& queries_;
   const BuildOptions& options_;
-  const Incidence incidence_;
-  const CornerSides sides_;
-  SpClassifier classifier_;
-  std::vector<std::unique_ptr<Workspace>> workspaces_;
-  BuiltOctree result_;
-  double done_ = 0;
-  std::size_t leaves_ = 0;
+  ProgressMeter progress_;
+  oneapi::tbb::enumerable_thread_specific<SubtreeBuilder> builders_;
+  oneapi::tbb::task_group jobs_;
 };
+
+Cell root_cell(const Solid& solid, const SolidQueries& queries) {
+  Cell root;
+  root.boundary = whole_boundary(solid);
+  // Import makes the universe cube larger than the solid, but it may be of the same size.
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    const auto side = queries.side_of(root.corner_position(solid, octant));
+    root.corners[octant] =
+        side == SolidQueries::Side::Out ? CornerState::Outside : CornerState::Boundary;
+  }
+  return root;
+}
+
+/// Plane references of the solid -> of the tree, in order of first appearance.
+void renumber_planes(Octree& tree, const std::vector<Plane>& planes_of_solid) {
+  constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> number(planes_of_solid.size(), kNone);
+  for (Level& level : tree.levels) {
+    for (std::uint32_t& plane : level.references) {
+      if (number[plane] == kNone) {
+        number[plane] = static_cast<std::uint32_t>(tree.planes.size());
+        tree.planes.push_back(planes_of_solid[plane]);
+      }
+      plane = number[plane];
+    }
+  }
+}
 
 }  // namespace
 
 BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
                          const BuildOptions& options) {
-  return Builder(solid, queries, options).build();
+  Branch root;
+  {
+    const Incidence incidence(solid);
+    const BuildContext context{solid, queries, incidence, options.rules};
+    ParallelBuilder(context, options).build(root_cell(solid, queries), root);
+  }
+  BuiltOctree built = join_parts(root);
+  built.tree.universe = solid.universe;
+  renumber_planes(built.tree, solid.planes);
+  return built;
 }
 
 }  // namespace spoctree

@@ -2,9 +2,9 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <vector>
 
+#include "common/base/progress_meter.hpp"
 #include "common/tree/octree.hpp"
 #include "server/build/sp_classifier.hpp"
 #include "server/solid/solid.hpp"
@@ -14,8 +14,11 @@ namespace spoctree {
 
 struct BuildOptions {
   SpRules rules;
-  /// Called now and then with the fraction of the universe cube that is done.
-  std::function<void(double)> progress;
+  /// Told how much of the work is done, now and then, by any thread (see ProgressMeter).
+  ProgressReport progress;
+  /// A cell with at most so many fragments is built by one thread, with all that is below it. The
+  /// result does not depend on it.
+  std::size_t fragments_per_job = 2048;
 };
 
 /// A finished tree, with what the builder knows besides.
@@ -25,17 +28,16 @@ struct BuiltOctree {
   std::vector<std::vector<std::uint32_t>> witnesses;
   /// Material in the leaves of each level, in cubed universe units.
   std::vector<double> leaf_volumes;
-  /// The solid's boundary in the leaves and in the GREY nodes of each level, in squared universe
-  /// units.
+  /// The solid's boundary in the leaves of each level, in squared universe units.
   std::vector<double> leaf_areas;
-  std::vector<double> grey_areas;
   /// Nodes that became leaves only because of `max_depth`.
   std::size_t depth_limited_nodes = 0;
 };
 
-/// Builds the SP-Octree of a solid: exact, the same tree on every run. The tree's planes are the
-/// solid's that occur in it, renumbered in order of first appearance. The levels' statements are
-/// not filled: see certify.hpp. Time about linear in the nodes made.
+/// Builds the SP-Octree of a solid, in parallel: exact, the same tree on every run and any number
+/// of threads. The tree's planes are the solid's that occur in it, renumbered in order of first
+/// appearance. The levels' statements are not filled: see certify.hpp. Time about linear in the
+/// nodes made.
 BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
                          const BuildOptions& options);
 

@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
 #include <queue>
 
 #include "common/tree/pieces.hpp"
@@ -156,6 +157,7 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
   const double unit_volume = unit * unit * unit;
   double inner = 0;
   double inner_area = 0;
+  const double whole_area = std::accumulate(built.leaf_areas.begin(), built.leaf_areas.end(), 0.0);
   double bound = std::numeric_limits<double>::infinity();
   for (std::uint32_t k = 0; k < built.tree.levels.size(); ++k) {
     Level& level = built.tree.levels[k];
@@ -164,7 +166,7 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
     level.statement.outer_volume = (inner + survey.grey_volume[k]) * unit_volume;
     inner_area += built.leaf_areas[k];
     level.statement.inner_area = inner_area * (unit * unit);
-    level.statement.outer_area = (inner_area + built.grey_areas[k]) * (unit * unit);
+    level.statement.outer_area = whole_area * (unit * unit);
     // T_k lies in T_k-1: what bounds the one bounds the other, whichever was found more tightly.
     bound = level.grey_count == 0 ? 0 : std::min(bound, survey.bound(k) * unit);
     level.statement.error_bound = bound;

@@ -162,11 +162,12 @@ int CornerSides::side_of_wall(const FragmentCorner& corner, std::uint32_t triang
   return exact_side(corner, triangle, wall_plane(axis, coordinate));
 }
 
-void split_fragments(const FragmentList& fragments, const Solid& solid, const CornerSides& sides,
-                     int axis, double coordinate, FragmentList& lower, FragmentList& upper) {
+void split_fragments(const FragmentList& list, std::span<const Fragment> fragments,
+                     const Solid& solid, const CornerSides& sides, int axis, double coordinate,
+                     FragmentList& lower, FragmentList& upper) {
   std::vector<int> side;  // nine at most, but for polygons that rounding left slightly non-convex
-  for (const Fragment& fragment : fragments.fragments) {
-    const auto polygon = fragments.corners_of(fragment);
+  for (const Fragment& fragment : fragments) {
+    const auto polygon = list.corners_of(fragment);
     side.resize(polygon.size());
     bool any_lower = false;
     bool any_upper = false;

@@ -78,9 +78,11 @@ class CornerSides {
   double doubt_;
 };
 
-/// Splits `fragments` by the wall { y[axis] = coordinate } and appends the parts that have area to
-/// `lower` and `upper`. A triangle in the wall goes to the side of its material.
-void split_fragments(const FragmentList& fragments, const Solid& solid, const CornerSides& sides,
-                     int axis, double coordinate, FragmentList& lower, FragmentList& upper);
+/// Splits `fragments`, which are of `list`, by the wall { y[axis] = coordinate } and appends the
+/// parts that have area to `lower` and `upper`. A triangle in the wall goes to the side of its
+/// material.
+void split_fragments(const FragmentList& list, std::span<const Fragment> fragments,
+                     const Solid& solid, const CornerSides& sides, int axis, double coordinate,
+                     FragmentList& lower, FragmentList& upper);
 
 }  // namespace spoctree

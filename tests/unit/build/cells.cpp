@@ -16,7 +16,7 @@ std::vector<Cell> cells_of(const Solid& solid, const Incidence& incidence, std::
     for (std::uint32_t i = 1; i < count; ++i) {
       FragmentList lower;
       FragmentList upper;
-      split_fragments(whole, solid, sides, axis,
+      split_fragments(whole, whole.fragments, solid, sides, axis,
                       wall_coordinate(solid.universe.half_side, i * size), lower, upper);
       parts.push_back(std::move(lower));
       whole = std::move(upper);

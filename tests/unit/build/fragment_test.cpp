@@ -113,11 +113,12 @@ TEST(SplitFragments, ATriangleInTheWallGoesToTheSideOfItsMaterial) {
   const Solid solid = box_solid(Vec3(-0.5), Vec3(0.5));
   const Incidence incidence(solid);
   const CornerSides sides(solid, incidence);
+  const FragmentList whole = whole_boundary(solid);
   for (int axis = 0; axis < 3; ++axis) {
     for (const double wall : {-0.5, 0.5}) {
       FragmentList lower;
       FragmentList upper;
-      split_fragments(whole_boundary(solid), solid, sides, axis, wall, lower, upper);
+      split_fragments(whole, whole.fragments, solid, sides, axis, wall, lower, upper);
       EXPECT_EQ(lower.fragments.size(), wall > 0 ? 12u : 0u);
       EXPECT_EQ(upper.fragments.size(), wall > 0 ? 0u : 12u);
     }
@@ -137,7 +138,8 @@ TEST(SplitFragments, ATriangleThatTouchesTheWallWithAnEdgeOrACornerStaysOnItsSid
     const CornerSides sides(solid, incidence);
     FragmentList lower;
     FragmentList upper;
-    split_fragments(whole_boundary(solid), solid, sides, 2, 0.0, lower, upper);
+    const FragmentList whole = whole_boundary(solid);
+    split_fragments(whole, whole.fragments, solid, sides, 2, 0.0, lower, upper);
     EXPECT_EQ(lower.fragments.size(), 0u);
     EXPECT_EQ(lower.corners.size(), 0u);
     EXPECT_EQ(upper.fragments.size(), 4u);

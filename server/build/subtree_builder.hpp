@@ -1,0 +1,83 @@
+// A cell -> the nodes in it, level by level.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "common/base/progress_meter.hpp"
+#include "common/tree/octree.hpp"
+#include "server/build/cell.hpp"
+#include "server/build/order_free_sum.hpp"
+#include "server/build/sp_classifier.hpp"
+#include "server/solid/solid_queries.hpp"
+
+namespace spoctree {
+
+/// What is known of some consecutive nodes of one level of the tree.
+struct LevelPart {
+  Level nodes;  ///< `first_child` counts within the next part; planes are the solid's
+  std::vector<std::uint32_t> witnesses;  ///< see BuiltOctree
+  OrderFreeSum leaf_volume;
+  OrderFreeSum leaf_area;
+  std::size_t depth_limited_nodes = 0;
+};
+
+/// What all builders of one tree share, and none changes.
+struct BuildContext {
+  const Solid& solid;
+  const SolidQueries& queries;
+  const Incidence& incidence;
+  const SpRules& rules;
+};
+
+/// Builds one subtree after the other, depth first. Not thread-safe: one for each thread.
+class SubtreeBuilder {
+ public:
+  SubtreeBuilder(const BuildContext& context, ProgressMeter& progress);
+
+  /// The planes of a GREY node count as resolved from `enter` to `leave`, which bracket the work on
+  /// what is below it.
+  void enter(const std::vector<std::uint32_t>& planes) { classifier_.push(planes); }
+  void leave(const std::vector<std::uint32_t>& planes) { classifier_.pop(planes); }
+
+  /// Decides what a cell is and appends it to `part`. `work` is the share of all work that the cell
+  /// stands for: it is done if the cell becomes a leaf.
+  void decide(Cell& cell, double work, Decision& decision, LevelPart& part);
+
+  /// Appends everything below a GREY cell that was entered to `parts`, whose entries belong to the
+  /// cell's children's level and those that follow.
+  void build_below(const Cell& cell, double work, std::vector<LevelPart>& parts);
+
+  /// The eight children of a cell, in octant order; nothing is decided about them. Their storage is
+  /// used again. O(fragments).
+  void split(const Cell& parent, std::array<Cell, 8>& children);
+
+ private:
+  /// Working memory of one depth.
+  struct Workspace {
+    std::array<Cell, 8> children;
+    std::array<Decision, 8> decisions;
+  };
+
+  void build_below(const Cell& cell, double work, std::vector<LevelPart>& parts, std::size_t depth);
+  Workspace& workspace(std::size_t depth);
+
+  const BuildContext& context_;
+  ProgressMeter& progress_;
+  const CornerSides sides_;
+  SpClassifier classifier_;
+  std::vector<std::unique_ptr<Workspace>> workspaces_;
+  std::array<FragmentList, 2> by_z_;  ///< of the fragments that are being split
+  std::array<FragmentList, 2> by_y_;
+  double work_done_ = 0;  ///< and not reported yet
+};
+
+/// The share of a parent's work that a child stands for: that of its fragments.
+double child_work(double parent_work, const Cell& child, std::size_t fragments_of_all_children);
+
+/// Number of the fragments in all eight cells.
+std::size_t count_fragments(const std::array<Cell, 8>& cells);
+
+}  // namespace spoctree
