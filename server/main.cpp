@@ -39,6 +39,9 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
                   "neighbouring faces that are even to so much of the diagonal become one plane")
       ->check(CLI::Range(0.0, kLargestFlatTolerance) & CLI::Validator(is_number, "NUMBER"))
       ->capture_default_str();
+  command.add_flag("--repair", options.repair,
+                   "drop copies of faces and triangles without area, turn faces that disagree, fill "
+                   "holes; every change is said");
 }
 
 }  // namespace

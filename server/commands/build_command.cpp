@@ -17,6 +17,7 @@ namespace {
 
 std::string summarize(const BuildArguments& arguments, const Model& model, const SpoFile& file) {
   std::string text = describe_solid(arguments.mesh, model.report, model.plane_count, model.volume);
+  for (const std::string& change : model.changes) text += change + "\n";
   text += to_table(level_rows(model.tree, file.level_bytes()));
   char line[256];
   std::snprintf(line, sizeof line,

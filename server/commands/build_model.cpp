@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "common/base/errors.hpp"
 #include "common/report/json_text.hpp"
 #include "common/tree/validate.hpp"
 #include "common/wire/hash.hpp"
@@ -12,6 +13,7 @@
 #include "server/build/certify.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/solid/import_solid.hpp"
+#include "server/solid/repair.hpp"
 
 namespace spoctree {
 
@@ -36,8 +38,40 @@ SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions
   source.hash = hash_bytes(MappedFile(mesh).bytes());
   source.build_options = "max-depth=" + std::to_string(options.max_depth) +
                          " leaf-planes=" + std::to_string(options.leaf_planes) +
-                         " flat-tolerance=" + to_text(options.flat_tolerance);
+                         " flat-tolerance=" + to_text(options.flat_tolerance) +
+                         (options.repair ? " repair" : "");
   return source;
+}
+
+// Reads and judges the faces, repaired if that is wanted.
+Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
+                 std::vector<std::string>& changes) {
+  PolygonSoup soup = read_mesh(mesh);
+  if (soup.collapsed.count > 0) {
+    changes.push_back("dropped: " + std::to_string(soup.collapsed.count) +
+                      " faces with fewer than three different corners, the first is face " +
+                      std::to_string(soup.collapsed.first) + " (counted from 0)");
+  }
+  std::string refusals;
+  if (options.repair) {
+    Repair repaired = repair(std::move(soup), mesh.string());
+    soup = std::move(repaired.soup);
+    changes.insert(changes.end(), repaired.changes.begin(), repaired.changes.end());
+    for (const std::string& refusal : repaired.refusals) {
+      refusals += (refusals.empty() ? " (" : "; ") + refusal;
+    }
+    if (!refusals.empty()) refusals += ")";
+  }
+  // Of the file itself it need not be true any more.
+  std::string name = mesh.string();
+  if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
+  ImportOptions import_options;
+  import_options.flat_tolerance = options.flat_tolerance;
+  try {
+    return import_solid(soup, name, import_options);
+  } catch (const BadInput& error) {
+    throw BadInput(error.what() + refusals);
+  }
 }
 
 }  // namespace
@@ -47,9 +81,7 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
   Model model;
   Stopwatch stopwatch;
   progress("reading and judging", 0);
-  ImportOptions import_options;
-  import_options.flat_tolerance = options.flat_tolerance;
-  const Solid solid = import_solid(read_mesh(mesh), mesh.string(), import_options);
+  const Solid solid = read_solid(mesh, options, model.changes);
   model.source = describe_source(mesh, options);
   model.report = solid.report;
   model.plane_count = solid.planes.size();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "common/geometry/tolerances.hpp"
 #include "common/tree/octree.hpp"
@@ -21,12 +22,14 @@ struct ModelOptions {
   std::uint32_t max_depth = kMaxDepth;            ///< 0 to kMaxDepth
   std::uint32_t leaf_planes = 0;                  ///< see SpRules
   double flat_tolerance = kDefaultFlatTolerance;  ///< see ImportOptions; to kLargestFlatTolerance
+  bool repair = false;                            ///< see server/solid/repair.hpp
 };
 
 /// What came of a mesh file.
 struct Model {
   Octree tree;
   SourceInfo source;
+  std::vector<std::string> changes;  ///< what was done to the file's faces, a line each
   SolidReport report;
   std::size_t plane_count = 0;  ///< of the solid, after merging
   double volume = 0;            ///< model units cubed

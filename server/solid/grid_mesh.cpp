@@ -23,7 +23,7 @@ std::string to_text(double value) {
 
 }  // namespace
 
-std::string GridMesh::place(std::span<const std::uint32_t> corners) const {
+std::string place_text(std::span<const glm::dvec3> points, std::span<const std::uint32_t> corners) {
   std::string text;
   for (const std::uint32_t corner : corners.first(std::min(corners.size(), kMostCornersNamed))) {
     if (!text.empty()) text += "–";

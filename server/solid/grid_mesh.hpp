@@ -24,6 +24,9 @@ inline constexpr std::size_t kMaxTriangles = std::size_t{1} << 28;
 inline constexpr double kLargestExtent = 1e90;
 inline constexpr double kSmallestExtent = 1e-90;
 
+/// "(x, y, z)", "(x, y, z)–(x, y, z)" and so on, for the first three of `corners`.
+std::string place_text(std::span<const glm::dvec3> points, std::span<const std::uint32_t> corners);
+
 /// Triangles over points that are known in the file's coordinates (for messages) and, rounded, on
 /// the grid (for everything else).
 struct GridMesh {
@@ -35,7 +38,9 @@ struct GridMesh {
   std::vector<Corners> triangles;
 
   /// "(x, y, z)", "(x, y, z)–(x, y, z)" and so on: the points in the file's coordinates.
-  std::string place(std::span<const std::uint32_t> corners) const;
+  std::string place(std::span<const std::uint32_t> corners) const {
+    return place_text(points, corners);
+  }
   std::string place(std::initializer_list<std::uint32_t> corners) const {
     return place(std::span(corners.begin(), corners.size()));
   }

@@ -1,0 +1,113 @@
+#include "server/solid/repair.hpp"
+
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "server/solid/grid_mesh.hpp"
+#include "server/solid/repair_duplicates.hpp"
+#include "server/solid/repair_holes.hpp"
+#include "server/solid/repair_needles.hpp"
+#include "server/solid/repair_orientation.hpp"
+
+namespace spoctree {
+
+namespace {
+
+std::string to_percent(double fraction) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * fraction);
+  return text;
+}
+
+bool has_crowded_edges(const PolygonSoup& soup) {
+  bool is_any = false;
+  for_each_edge(sides_by_edge(soup),
+                [&](std::span<const SoupSide> edge) { is_any = is_any || edge.size() > 2; });
+  return is_any;
+}
+
+class Repairer {
+ public:
+  Repairer(PolygonSoup&& soup, const std::string& name) : name_(name) {
+    repair_.soup = std::move(soup);
+  }
+
+  Repair run() {
+    drop_duplicates();
+    straighten();
+    const TurnedFaces turned = agree_on_outside(soup());
+    log("turned", turned.faces, "face", " that disagreed with the faces around");
+    // Otherwise the surface has no holes that could be told from its seams.
+    if (turned.one_sided_edges == 0 && !has_crowded_edges(soup())) fill();
+    return std::move(repair_);
+  }
+
+ private:
+  PolygonSoup& soup() { return repair_.soup; }
+
+  void drop_duplicates() {
+    const DroppedDuplicates dropped = drop_duplicate_faces(soup());
+    log("dropped", dropped.copies, "copy", " of a face", "copies");
+    log("dropped", dropped.partitions, "face", " between two parts of the solid");
+  }
+
+  void straighten() {
+    const FirstFound<FacePlace> needles = drop_needles(soup());
+    log("dropped", needles, "triangle", " without area");
+    // Two faces that differed in such a triangle may have become the same.
+    if (needles.count() > 0) drop_duplicates();
+  }
+
+  void fill() {
+    const FilledHoles holes = fill_holes(soup(), name_);
+    const double whole = holes.whole;
+    if (holes.filled.count() > 0) {
+      const Hole& largest = holes.largest;
+      repair_.changes.push_back(
+          "filled: " + counted(holes.filled.count(), "hole") + " with " +
+          counted(holes.triangles, "triangle") + ", " + holes.filled.places(hole_place()) +
+          "; the largest has " + counted(largest.edges, "edge") + ", is " +
+          to_percent(largest.size / whole) + " of the diagonal in size" +
+          (largest.is_flat ? ", flat" : "") + ", at " + hole_place()(largest));
+    }
+    refuse(holes.too_long, "of more than " + std::to_string(kMostHoleEdges) + " edges");
+    refuse(holes.too_large,
+           "neither flat nor within " + to_percent(kLargestHole) + " of the diagonal in size");
+    refuse(holes.unfillable, "that only a fold onto faces beside it would close");
+  }
+
+  std::function<std::string(const Hole&)> hole_place() const {
+    return [this](const Hole& hole) { return place_text(repair_.soup.points, hole.first_edge); };
+  }
+
+  void refuse(const FirstFound<Hole>& holes, const std::string& why) {
+    if (holes.count() == 0) return;
+    repair_.refusals.push_back(counted(holes.count(), "hole") + " " + why + " left open, " +
+                               holes.places(hole_place()));
+  }
+
+  // "turned: 3 faces that ..., first at ..."; nothing for nothing.
+  void log(const std::string& verb, const FirstFound<FacePlace>& found, const std::string& thing,
+           const std::string& which, const std::string& things = "") {
+    if (found.count() == 0) return;
+    const std::string number = found.count() > 1 && !things.empty()
+                                   ? std::to_string(found.count()) + " " + things
+                                   : counted(found.count(), thing);
+    repair_.changes.push_back(verb + ": " + number + which + ", " +
+                              found.places([this](const FacePlace& face) {
+                                return place_text(repair_.soup.points, face.corners);
+                              }));
+  }
+
+  const std::string& name_;
+  Repair repair_;
+};
+
+}  // namespace
+
+Repair repair(PolygonSoup soup, const std::string& name) {
+  return Repairer(std::move(soup), name).run();
+}
+
+}  // namespace spoctree

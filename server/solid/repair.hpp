@@ -1,0 +1,49 @@
+// A soup whose faces do not quite bound a solid into one that may, saying what was changed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "server/mesh/polygon_soup.hpp"
+
+namespace spoctree {
+
+/// Holes with more edges than this are left open: filling takes time with the square of them.
+inline constexpr std::size_t kMostHoleEdges = 2000;
+
+/// Holes that are not flat and have more than kFewHoleEdges edges are left open if they are larger
+/// than this, as a fraction of the bounding box's diagonal: beyond it, the shape that is missing
+/// would be guessed. With few edges, at most one diagonal is.
+inline constexpr std::size_t kFewHoleEdges = 4;
+inline constexpr double kLargestHole = 0.25;
+
+/// A hole counts as flat if its edges stay so close to one plane, as a fraction of its own size.
+inline constexpr double kFlatHole = 0.01;
+
+struct Repair {
+  PolygonSoup soup;
+  /// One line for each kind of change: how often, and the first places. Empty: nothing was changed.
+  std::vector<std::string> changes;
+  /// What was seen, but not repaired.
+  std::vector<std::string> refusals;
+};
+
+/// In this order, each step only where the mesh has what it mends:
+/// - faces that stand twice lose their copies; where both sides of such a face are walled off by
+///   others, the face itself too (two parts that share a wall become one);
+/// - triangles whose corners are on one line (exactly) vanish, and the face beyond their longest
+///   side gets their middle corner: no point of the surface is lost or moved;
+/// - faces are turned so that neighbours agree, in each connected surface the fewer;
+/// - holes are filled with triangles over their own edges (CGAL's triangulate_hole_polyline: the
+///   flattest patch): no points are made up. Holes that touch in a point are taken one by one.
+///
+/// Points are never moved, and never merged unless equal (the reader does that). Whether the result
+/// bounds a solid is not promised: import_solid judges it like any other. Edges with more than two
+/// faces and self-intersections stay what they are.
+///
+/// n log n for n face corners, and quadratic in the edges of a hole that is not flat. Throws
+/// BadInput if CGAL gives up on a hole in a way that it should not. REQUIRES: soup as from
+/// read_mesh.
+Repair repair(PolygonSoup soup, const std::string& name);
+
+}  // namespace spoctree

@@ -1,0 +1,237 @@
+// CGAL's own checks stay on in this file: what goes into it is broken by definition, and a
+// condition that fails must be an exception here, whatever the build.
+#define CGAL_DEBUG
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+// Above: before anything that may include CGAL without its checks.
+
+#include <algorithm>
+#include <array>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <set>
+
+#include "common/base/errors.hpp"
+#include "server/solid/repair.hpp"
+#include "server/solid/repair_holes.hpp"
+#include "server/solid/soup_edges.hpp"
+
+namespace spoctree {
+
+namespace {
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+// CGAL's algorithm without the Delaunay triangulation is cubic.
+constexpr std::size_t kMostCubicEdges = 200;
+
+// A border edge seen from the hole: against the direction of its face.
+struct BorderEdge {
+  std::uint32_t from;
+  std::uint32_t to;
+  std::uint32_t opposite;  // a third corner of the face
+};
+
+using Patch = std::vector<std::array<std::uint32_t, 3>>;  // point numbers
+using Loop = std::vector<BorderEdge>;
+
+std::vector<BorderEdge> find_border(const PolygonSoup& soup) {
+  std::vector<BorderEdge> border;
+  const std::vector<SoupSide> sides = sides_by_edge(soup);
+  for_each_edge(sides, [&](std::span<const SoupSide> edge) {
+    if (edge.size() != 1) return;
+    const auto face = soup.face(edge[0].face);
+    const std::size_t i = edge[0].corner - soup.first_corner[edge[0].face];
+    const std::uint32_t a = face[i];
+    const std::uint32_t b = face[(i + 1) % face.size()];
+    border.push_back({b, a, face[(i + 2) % face.size()]});
+  });
+  std::stable_sort(border.begin(), border.end(),
+                   [](const BorderEdge& x, const BorderEdge& y) { return x.from < y.from; });
+  return border;
+}
+
+// Walks along the border; where the walk meets itself, a loop is cut off. Every vertex has as many
+// border edges in as out, so that no walk ends anywhere else.
+std::vector<Loop> find_loops(const std::vector<BorderEdge>& border, std::size_t points) {
+  std::vector<std::uint32_t> next(points + 1, 0);  // the first unused edge from each point
+  for (const BorderEdge& edge : border) ++next[edge.from + 1];
+  for (std::size_t i = 1; i < next.size(); ++i) next[i] += next[i - 1];
+  const std::vector<std::uint32_t> begin = next;
+  std::vector<std::uint32_t> place(points, kNone);  // in the walk
+  std::vector<Loop> loops;
+  for (std::uint32_t start = 0; start < points; ++start) {
+    while (next[start] < begin[start + 1]) {
+      Loop walk;
+      std::uint32_t at = start;
+      place[at] = 0;
+      do {
+        if (next[at] == begin[at + 1]) return {};  // not balanced: a precondition is broken
+        walk.push_back(border[next[at]++]);
+        at = walk.back().to;
+        if (place[at] == kNone) {
+          place[at] = static_cast<std::uint32_t>(walk.size());
+          continue;
+        }
+        const auto cut = walk.begin() + place[at];
+        loops.emplace_back(cut, walk.end());
+        for (auto edge = cut + 1; edge < walk.end(); ++edge) place[edge->from] = kNone;
+        walk.erase(cut, walk.end());
+      } while (!walk.empty());
+      place[start] = kNone;
+    }
+  }
+  return loops;
+}
+
+double diagonal(std::span<const glm::dvec3> points) {
+  glm::dvec3 lower = points[0];
+  glm::dvec3 upper = points[0];
+  for (const glm::dvec3& p : points) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  return glm::length(upper - lower);
+}
+
+// The largest distance of a corner from the mean plane of the loop.
+double unevenness(std::span<const glm::dvec3> points) {
+  glm::dvec3 middle{0.0};
+  for (const glm::dvec3& p : points) middle += p / static_cast<double>(points.size());
+  glm::dvec3 normal{0.0};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    normal += glm::cross(points[i] - middle, points[(i + 1) % points.size()] - middle);
+  }
+  const double length = glm::length(normal);
+  if (!(length > 0)) return std::numeric_limits<double>::infinity();
+  double largest = 0;
+  for (const glm::dvec3& p : points) {
+    largest = std::max(largest, std::abs(glm::dot(normal, p - middle)) / length);
+  }
+  return largest;
+}
+
+std::vector<glm::dvec3> points_of(const Loop& loop, const PolygonSoup& soup) {
+  std::vector<glm::dvec3> points;
+  points.reserve(loop.size());
+  for (const BorderEdge& edge : loop) points.push_back(soup.points[edge.from]);
+  return points;
+}
+
+Hole describe(const Loop& loop, const PolygonSoup& soup) {
+  const std::vector<glm::dvec3> points = points_of(loop, soup);
+  Hole hole;
+  hole.first_edge = {kNone, kNone};
+  for (const BorderEdge& edge : loop) {
+    hole.first_edge = std::min(hole.first_edge, {edge.from, edge.to});
+  }
+  hole.edges = loop.size();
+  hole.size = diagonal(points);
+  hole.is_flat = unevenness(points) <= kFlatHole * hole.size;
+  return hole;
+}
+
+Patch find_patch(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
+  std::vector<Point> points;
+  std::vector<Point> opposite;
+  for (const BorderEdge& edge : loop) {
+    const glm::dvec3 p = soup.points[edge.from];
+    const glm::dvec3 q = soup.points[edge.opposite];
+    points.emplace_back(p.x, p.y, p.z);
+    opposite.emplace_back(q.x, q.y, q.z);
+  }
+  std::vector<CGAL::Triple<int, int, int>> triangles;
+  PMP::triangulate_hole_polyline(points, opposite, std::back_inserter(triangles),
+                                 CGAL::parameters::use_delaunay_triangulation(true)
+                                     .use_2d_constrained_delaunay_triangulation(hole.is_flat)
+                                     .threshold_distance(kFlatHole * hole.size)
+                                     .do_not_use_cubic_algorithm(loop.size() > kMostCubicEdges));
+  Patch patch;
+  for (const auto& t : triangles) {
+    const auto corner = [&](int i) { return loop[static_cast<std::size_t>(i) % loop.size()].from; };
+    patch.push_back({corner(t.first), corner(t.second), corner(t.third)});
+  }
+  return patch;
+}
+
+std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
+  return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+}
+
+// Whether the patch fills the loop: its sides are the loop's edges and, in pairs, edges that are
+// new.
+bool is_good(const Patch& patch, const Loop& loop, std::set<std::uint64_t>& edges_in_use) {
+  if (patch.size() + 2 != loop.size()) return false;
+  // A triangle on its own face's back. With more edges, its diagonals would be in use.
+  if (loop.size() == 3 && loop[0].opposite == loop[1].to) return false;
+  std::set<std::uint64_t> of_loop;
+  for (const BorderEdge& edge : loop) of_loop.insert(edge_key(edge.from, edge.to));
+  std::set<std::uint64_t> diagonals;
+  for (const auto& t : patch) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t key = edge_key(t[i], t[(i + 1) % 3]);
+      if (of_loop.contains(key)) continue;
+      if (edges_in_use.contains(key)) return false;
+      diagonals.insert(key);
+    }
+  }
+  if (diagonals.size() + 3 != loop.size()) return false;
+  edges_in_use.merge(diagonals);
+  return true;
+}
+
+}  // namespace
+
+FilledHoles fill_holes(PolygonSoup& soup, const std::string& name) {
+  FilledHoles holes;
+  const std::vector<BorderEdge> border = find_border(soup);
+  if (border.empty()) return holes;
+  // Edges between points of the border: a patch must not use them again.
+  std::vector<bool> is_on_border(soup.points.size(), false);
+  for (const BorderEdge& edge : border) is_on_border[edge.from] = true;
+  std::set<std::uint64_t> edges_in_use;
+  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+    if (is_on_border[edge[0].low] && is_on_border[edge[0].high]) {
+      edges_in_use.insert(edge_key(edge[0].low, edge[0].high));
+    }
+  });
+
+  holes.whole = diagonal(soup.points);
+  for (const Loop& loop : find_loops(border, soup.points.size())) {
+    const Hole hole = describe(loop, soup);
+    if (hole.edges > kMostHoleEdges) {
+      holes.too_long.add(hole);
+      continue;
+    }
+    if (!hole.is_flat && hole.edges > kFewHoleEdges && !(hole.size <= kLargestHole * holes.whole)) {
+      holes.too_large.add(hole);
+      continue;
+    }
+    Patch patch;
+    try {
+      patch = find_patch(loop, hole, soup);
+    } catch (const CGAL::Failure_exception& failure) {
+      throw BadInput(name + ": a hole of " + std::to_string(hole.edges) +
+                     " edges cannot be filled (" + failure.expression() + ")");
+    }
+    if (!is_good(patch, loop, edges_in_use)) {
+      holes.unfillable.add(hole);
+      continue;
+    }
+    for (const auto& triangle : patch) {
+      soup.corners.insert(soup.corners.end(), triangle.begin(), triangle.end());
+      soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+    }
+    holes.triangles += patch.size();
+    holes.filled.add(hole);
+    if (hole.size > holes.largest.size) holes.largest = hole;
+  }
+  return holes;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,42 @@
+// Holes in a soup into patches of triangles.
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <string>
+
+#include "server/mesh/polygon_soup.hpp"
+#include "server/solid/first_found.hpp"
+
+namespace spoctree {
+
+/// A closed line of border edges, each with one face only.
+struct Hole {
+  std::array<std::uint32_t, 2> first_edge{};  ///< points: the smallest of its numbers, and the next
+  std::size_t edges = 0;
+  double size = 0;  ///< diagonal of its bounding box, in units of the file
+  bool is_flat = false;
+  auto operator<=>(const Hole& other) const { return first_edge <=> other.first_edge; }
+  bool operator==(const Hole& other) const { return first_edge == other.first_edge; }
+};
+
+struct FilledHoles {
+  double whole = 0;  ///< diagonal of the bounding box of all
+  FirstFound<Hole> filled;
+  Hole largest;                 ///< of those filled, by size
+  std::size_t triangles = 0;    ///< put in
+  FirstFound<Hole> too_long;    ///< more than kMostHoleEdges
+  FirstFound<Hole> too_large;   ///< not flat, and larger than kLargestHole of the whole
+  FirstFound<Hole> unfillable;  ///< every patch found has an edge or a face that is there already
+};
+
+/// Fills every hole within the limits of repair.hpp. Each is a simple closed line: holes that touch
+/// in a point are taken apart there. A patch has the hole's points only and meets the faces around
+/// it in its edges only; among the patches that CGAL's triangulate_hole_polyline considers (those
+/// in the Delaunay triangulation of the points, if any will do) it has the smallest angles to its
+/// surroundings, then the smallest area.
+/// REQUIRES: faces agree about the outside (agree_on_outside), no edge has more than two of them.
+FilledHoles fill_holes(PolygonSoup& soup, const std::string& name);
+
+}  // namespace spoctree
