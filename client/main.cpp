@@ -32,6 +32,20 @@ CLI::App& add_stream_command(CLI::App& app, const char* name, const char* descri
   return command;
 }
 
+CLI::App& add_ask_command(CLI::App& app, const char* name, const char* description,
+                          AskArguments& arguments, std::string& level) {
+  CLI::App& command = add_stream_command(app, name, description, arguments.stream);
+  command.add_option("QUESTIONS", arguments.questions,
+                     "a file of such lines, in model coordinates; left out or -: standard input. "
+                     "Empty lines and lines that begin with # get no answer");
+  command.add_option("--level", level,
+                     "which level answers, as soon as it is there; left out: the last one");
+  command.add_flag("--follow", arguments.follow,
+                   "read all questions, then answer each with the first level that can, while the "
+                   "levels arrive: lines \"LEVEL LINE ANSWER\"");
+  return command;
+}
+
 std::uint32_t parse_level(const std::string& text) {
   std::uint32_t level = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), level);
@@ -125,6 +139,45 @@ int main(int argc, char** argv) {
     draw.all_levels = draw_level == "all";
     if (!draw_level.empty() && !draw.all_levels) draw.stream.last_level = parse_level(draw_level);
     run_draw(draw);
+  });
+
+  AskArguments classify;
+  std::string classify_level;
+  CLI::App& classify_command = add_ask_command(
+      app, "classify",
+      "where points lie: lines \"x y z\" in, lines `in`, `out`, `on` (the boundary) or `unknown` "
+      "(at this level; never at the last) out",
+      classify, classify_level);
+  classify_command.callback([&] {
+    if (!classify_level.empty()) classify.stream.last_level = parse_level(classify_level);
+    run_classify(classify);
+  });
+
+  AskArguments ray;
+  std::string ray_level;
+  CLI::App& ray_command = add_ask_command(
+      app, "ray",
+      "where rays first cross the boundary: lines \"ox oy oz dx dy dz\" in, lines `hit t nx ny nz` "
+      "(at o + t d, with the outward normal), `miss`, or `between t0 t1` (not before t0; t1 is inf "
+      "if the ray may miss) out; a ray that starts inside hits where it leaves",
+      ray, ray_level);
+  ray_command.callback([&] {
+    if (!ray_level.empty()) ray.stream.last_level = parse_level(ray_level);
+    run_ray(ray);
+  });
+
+  MeasureArguments measure;
+  std::string measure_level;
+  CLI::App& measure_command = add_stream_command(
+      app, "measure",
+      "volume, surface area and bounding box, exact at the last level, with bounds that hold for "
+      "certain before; and the numbers of components and cavities",
+      measure.stream);
+  measure_command.add_option("--level", measure_level, "which level; left out: the last one");
+  measure_command.add_flag("--json", measure.as_json, "one JSON object");
+  measure_command.callback([&] {
+    if (!measure_level.empty()) measure.stream.last_level = parse_level(measure_level);
+    run_measure(measure);
   });
 
   return run_program(app, argc, argv);

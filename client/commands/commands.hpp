@@ -51,4 +51,22 @@ struct DrawArguments {
 /// Draws T_k, or every T_k while the levels arrive.
 void run_draw(const DrawArguments& arguments);
 
+struct AskArguments {
+  StreamOptions stream;
+  std::string questions = "-";  ///< a file of lines; "-": standard input
+  /// Answer while the levels arrive: as "LEVEL LINE ANSWER", each question once.
+  bool follow = false;
+};
+/// Says where points lie.
+void run_classify(const AskArguments& arguments);
+/// Says where rays meet the boundary first.
+void run_ray(const AskArguments& arguments);
+
+struct MeasureArguments {
+  StreamOptions stream;
+  bool as_json = false;
+};
+/// Prints volume, area and so on, or bounds on them.
+void run_measure(const MeasureArguments& arguments);
+
 }  // namespace spoctree
