@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "tools/benchmark/benchmark_model.hpp"
+#include "tools/benchmark/query_benchmark.hpp"
 
 int main(int argc, char** argv) {
   using namespace spoctree;
@@ -16,7 +17,10 @@ int main(int argc, char** argv) {
   if (models.empty()) {
     for (const int bands : {16, 32, 64, 128}) models.push_back(wavy_sphere_model(bands));
   }
-  for (const auto& model : models) register_pipeline_benchmarks(model);
+  for (const auto& model : models) {
+    register_pipeline_benchmarks(model);
+    register_query_benchmarks(model);
+  }
   models.clear();
   try {
     benchmark::RunSpecifiedBenchmarks();
