@@ -158,7 +158,7 @@ class Judge {
       walk.level = k;
       walk_pieces(tree_, walk, grey);
       if (grey.pieces.empty()) continue;
-      const double sampled = sampled_distance(grey.pieces);
+      const double sampled = sampled_distance(grey.pieces, k);
       const double bound = tree_.levels[k].statement.error_bound;
       if (bound < sampled) bounds_hold_ = false;
       if (sampled > 1e-9 * judge_.diagonal()) {
@@ -167,41 +167,59 @@ class Judge {
     }
   }
 
-  double sampled_distance(const std::vector<std::vector<Vec3>>& pieces) {
+  /// The distance from the solid of a point of model coordinates that is in T_level; 0 for others.
+  double distance_in_level(Vec3 point, std::uint32_t level) const {
+    const bool may_be =
+        classify_point(tree_, tree_.universe.to_universe(point), level) == PointClass::Unknown;
+    return may_be && !judge_.is_inside(point) ? judge_.distance(point) : 0;
+  }
+
+  /// Points of T_level that are not in the solid are looked for among the corners and mixtures of
+  /// corners of its uncertain pieces, and off the solid's surface; from the farthest, others are
+  /// tried at shrinking distances.
+  double sampled_distance(const std::vector<std::vector<Vec3>>& pieces, std::uint32_t level) {
     struct Place {
       double distance = 0;
       Vec3 point{0.0};
-      const std::vector<Vec3>* piece = nullptr;
-    };
-    const auto look_at = [&](const std::vector<Vec3>& piece, Vec3 point) {
-      const Vec3 model = tree_.universe.to_model(point);
-      const double distance = judge_.distance(model);
-      return Place{distance, point, &piece};
     };
     std::vector<Place> places;
+    const auto look_at = [&](Vec3 point) { places.push_back({judge_.distance(point), point}); };
     for (const auto& piece : pieces) {
-      for (const Vec3 corner : piece) places.push_back(look_at(piece, corner));
-      for (std::size_t i = 0; i < 1 + 3000 / pieces.size(); ++i) {
-        places.push_back(look_at(piece, random_mixture(piece, random_)));
+      Vec3 middle{0.0};
+      for (const Vec3 corner : piece) middle += corner / static_cast<double>(piece.size());
+      for (const Vec3 corner : piece) {
+        look_at(tree_.universe.to_model(glm::mix(corner, middle, 1e-9)));
       }
+      for (std::size_t i = 0; i < 1 + 3000 / pieces.size(); ++i) {
+        look_at(tree_.universe.to_model(random_mixture(piece, random_)));
+      }
+    }
+    for (int i = 0; i < 6000; ++i) {
+      const auto sample = i % 2 ? judge_.sample(random_) : judge_.sample_triangle(random_);
+      const double off = std::pow(10.0, random_.between(-6, -1)) * judge_.diagonal();
+      look_at(sample.point + off * sample.normal);
     }
     std::stable_sort(places.begin(), places.end(),
                      [](const Place& a, const Place& b) { return a.distance > b.distance; });
     double most = 0;
     int climbs = 0;
     for (const Place& start : places) {
-      if (start.distance <= most / 4 || climbs == 30) break;
-      if (judge_.is_inside(tree_.universe.to_model(start.point))) continue;
-      ++climbs;
+      if (climbs == 20 || (climbs > 5 && start.distance < most / 3)) break;
       Place best = start;
-      for (int i = 0; i < 100; ++i) {
-        const Vec3 target = random_mixture(*best.piece, random_);
-        const Place next =
-            look_at(*best.piece, glm::mix(best.point, target, std::pow(random_.unit(), 4)));
-        if (next.distance > best.distance &&
-            !judge_.is_inside(tree_.universe.to_model(next.point))) {
-          best = next;
+      best.distance = distance_in_level(start.point, level);
+      if (best.distance == 0) continue;
+      ++climbs;
+      double reach = best.distance;
+      for (int i = 0; i < 200; ++i) {
+        const auto step = [&] { return reach * random_.between(-1, 1); };
+        const Vec3 point = best.point + Vec3(step(), step(), step());
+        const double distance = distance_in_level(point, level);
+        if (distance > best.distance) {
+          best = {distance, point};
+        } else {
+          reach *= 0.96;
         }
+        if (i == 100) reach = best.distance / 4;
       }
       most = std::max(most, best.distance);
     }
