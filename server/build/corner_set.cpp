@@ -14,6 +14,7 @@ constexpr std::uint32_t kLinearSize = 48;
 void CornerSet::clear() {
   items_.clear();
   boxes_.clear();
+  last_hit_ = 0;
 }
 
 void CornerSet::prepare() {
@@ -47,13 +48,18 @@ std::uint32_t CornerSet::build(std::uint32_t begin, std::uint32_t end) {
 }
 
 bool CornerSet::any_on_side(std::uint32_t plane, int sign, const Plane& coefficients,
-                            const CornerSides& sides) const {
+                            const CornerSides& sides) {
   const auto any_of = [&](std::uint32_t begin, std::uint32_t end) {
     for (std::uint32_t i = begin; i < end; ++i) {
-      if (sides.side(*items_[i].corner, items_[i].triangle, plane) == sign) return true;
+      if (sides.side(*items_[i].corner, items_[i].triangle, plane) == sign) {
+        last_hit_ = i;
+        return true;
+      }
     }
     return false;
   };
+  if (items_.empty()) return false;
+  if (any_of(last_hit_, last_hit_ + 1)) return true;
   if (boxes_.empty()) return any_of(0, static_cast<std::uint32_t>(items_.size()));
   const Vec3 normal = coefficients.normal * static_cast<double>(sign);
   const double offset = coefficients.offset * sign;

@@ -21,7 +21,7 @@ class CornerSet {
   void prepare();
   /// True if some corner lies strictly on side `sign` (+1 or -1) of the plane.
   bool any_on_side(std::uint32_t plane, int sign, const Plane& coefficients,
-                   const CornerSides& sides) const;
+                   const CornerSides& sides);
 
  private:
   struct Item {
@@ -40,6 +40,8 @@ class CornerSet {
 
   std::vector<Item> items_;
   std::vector<Box> boxes_;
+  /// Where a corner was found last: often the next plane has it on the same side.
+  std::uint32_t last_hit_ = 0;
 };
 
 }  // namespace spoctree

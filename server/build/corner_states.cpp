@@ -28,7 +28,7 @@ void propagate_corner_states(const Solid& solid, Cell& cell) {
   unsigned crossed = 0;  // bit per edge: an odd number of faces cross it
   unsigned touched = 0;  // bit per edge: met in a way that tells nothing
   for (const FragmentCorner& corner : cell.boundary.corners) {
-    if (std::popcount(corner.pinned) < 2) continue;
+    if ((corner.pinned & (corner.pinned - 1)) == 0) continue;  // on one wall at most
     unsigned octant = 0;
     for (unsigned axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
@@ -36,7 +36,7 @@ void propagate_corner_states(const Solid& solid, Cell& cell) {
         octant |= 1u << axis;
       }
     }
-    if (std::popcount(corner.pinned) == 3) {
+    if (corner.pinned == 7) {
       cell.corners[octant] = CornerState::Boundary;
       for (unsigned axis = 0; axis < 3; ++axis) {
         touched |= 1u << edge_index(axis, octant & ~(1u << axis));

@@ -37,28 +37,47 @@ struct Corner {
 
 struct Polygon {
   std::uint32_t plane = 0;  ///< of the solid
-  std::vector<Corner> corners;
+  std::uint32_t first_corner = 0;
+  std::uint32_t corner_count = 0;
 };
 
-class ExpressionBuilder {
+}  // namespace
+
+struct ExpressionBuilder::Work {
  public:
-  ExpressionBuilder(const Solid& solid, const Incidence& incidence)
+  Work(const Solid& solid, const Incidence& incidence)
       : solid_(solid), incidence_(incidence), doubt_(CornerSides(solid, incidence).doubt()) {}
 
-  Expression build(const FragmentList& boundary, std::span<const Fragment> remaining) {
-    std::vector<Polygon> polygons;
+  const Expression& build(const FragmentList& boundary, std::span<const Fragment> remaining) {
+    cutters_.clear();
+    polygons_.clear();
+    corners_.clear();
+    result_.planes.clear();
+    result_.tokens.clear();
     for (const Fragment& fragment : remaining) {
-      polygons.push_back(polygon_of(fragment, boundary.corners_of(fragment)));
+      add_polygon(fragment, boundary.corners_of(fragment));
     }
-    split(std::move(polygons));
-    return std::move(result_);
+    split(0);
+    return result_;
   }
 
  private:
-  Polygon polygon_of(const Fragment& fragment, std::span<const FragmentCorner> corners) {
+  std::span<const Corner> corners_of(const Polygon& polygon) const {
+    return {corners_.data() + polygon.first_corner, polygon.corner_count};
+  }
+
+  Polygon& begin_polygon(std::uint32_t plane) {
+    polygons_.push_back({plane, static_cast<std::uint32_t>(corners_.size()), 0});
+    return polygons_.back();
+  }
+
+  void end_polygon(Polygon& polygon) {
+    polygon.corner_count = static_cast<std::uint32_t>(corners_.size()) - polygon.first_corner;
+  }
+
+  void add_polygon(const Fragment& fragment, std::span<const FragmentCorner> corners) {
     const SolidTriangle& triangle = solid_.triangles[fragment.triangle];
-    Polygon polygon;
-    polygon.plane = solid_.facet_plane[triangle.facet];
+    Polygon& polygon = begin_polygon(solid_.facet_plane[triangle.facet]);
     for (const FragmentCorner& source : corners) {
       Corner corner;
       corner.position = source.position;
@@ -77,9 +96,9 @@ class ExpressionBuilder {
       } else {
         corner.edge_cutter = wall(source.edge - 3, source.position[source.edge - 3]);
       }
-      polygon.corners.push_back(corner);
+      corners_.push_back(corner);
     }
-    return polygon;
+    end_polygon(polygon);
   }
 
   std::int32_t wall(int axis, double coordinate) {
@@ -139,7 +158,7 @@ class ExpressionBuilder {
   Reach reach_of(const Polygon& polygon, std::uint32_t plane) const {
     const Plane& p = solid_.planes[plane];
     Reach reach;
-    for (const Corner& corner : polygon.corners) {
+    for (const Corner& corner : corners_of(polygon)) {
       const double value = glm::dot(p.normal, corner.position) - p.offset;
       const double certain = doubt_ + 2 * corner.error;
       reach.inside |= value < -certain;
@@ -168,47 +187,47 @@ class ExpressionBuilder {
     return corner;
   }
 
-  Polygon half(const Polygon& polygon, const std::vector<int>& side, int keep,
-               std::int32_t cut) const {
-    Polygon part;
-    part.plane = polygon.plane;
-    const std::size_t count = polygon.corners.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      const std::size_t j = i + 1 == count ? 0 : i + 1;
-      const int here = side[i] * keep;
-      const int there = side[j] * keep;
+  /// Appends the half of a polygon on the side of `keep` (-1 or +1) of plane `cut`.
+  void add_half(const Polygon polygon, int keep, std::int32_t cut) {
+    Polygon& part = begin_polygon(polygon.plane);
+    for (std::uint32_t i = 0; i < polygon.corner_count; ++i) {
+      const std::uint32_t j = i + 1 == polygon.corner_count ? 0 : i + 1;
+      const Corner corner = corners_[polygon.first_corner + i];
+      const int here = sides_[i] * keep;
+      const int there = sides_[j] * keep;
       if (here >= 0) {
-        part.corners.push_back(polygon.corners[i]);
-        if (here == 0 && there < 0) part.corners.back().edge_cutter = cut;
+        corners_.push_back(corner);
+        if (here == 0 && there < 0) corners_.back().edge_cutter = cut;
       }
       if (here * there < 0) {
-        Corner added = cross(polygon.corners[i], polygon.plane, cut);
+        Corner added = cross(corner, polygon.plane, cut);
         added.edge_cutter = cut;
         if (here < 0) {
-          added.edge_cutter = polygon.corners[i].edge_cutter;
-          added.edge_a = polygon.corners[i].edge_a;
-          added.edge_b = polygon.corners[i].edge_b;
+          added.edge_cutter = corner.edge_cutter;
+          added.edge_a = corner.edge_a;
+          added.edge_b = corner.edge_b;
         }
-        part.corners.push_back(added);
+        corners_.push_back(added);
       }
     }
-    return part;
+    end_polygon(part);
   }
 
   /// The plane that cuts the fewest polygons; among those the one that balances best.
-  std::uint32_t choose_plane(const std::vector<Polygon>& polygons) const {
+  std::uint32_t choose_plane(std::span<const Polygon> polygons) {
     // Trying every plane is quadratic: a sample does for the rare big cells.
     constexpr std::size_t kCandidates = 24;
-    std::vector<std::uint32_t> planes;
+    candidates_.clear();
     for (const Polygon& polygon : polygons) {
-      if (std::find(planes.begin(), planes.end(), polygon.plane) == planes.end()) {
-        planes.push_back(polygon.plane);
-        if (planes.size() == kCandidates) break;
+      if (std::find(candidates_.begin(), candidates_.end(), polygon.plane) == candidates_.end()) {
+        candidates_.push_back(polygon.plane);
+        if (candidates_.size() == kCandidates) break;
       }
     }
+    if (candidates_.size() == 1) return candidates_.front();
     std::size_t best_score = static_cast<std::size_t>(-1);
-    std::uint32_t best = planes.front();
-    for (const std::uint32_t plane : planes) {
+    std::uint32_t best = candidates_.front();
+    for (const std::uint32_t plane : candidates_) {
       std::size_t cuts = 0;
       std::size_t inside = 0;
       std::size_t outside = 0;
@@ -235,56 +254,62 @@ class ExpressionBuilder {
     return kFirstPlaneToken + index;
   }
 
-  /// Every region without boundary inside is homogeneous. Inside the plane just used, next to a
-  /// piece of boundary on it, lies material; outside, none.
-  void split(std::vector<Polygon> polygons) {
-    const std::uint32_t plane = choose_plane(polygons);
+  /// Splits by the polygons from `begin` on, and takes them off. Every region without boundary
+  /// inside is homogeneous. Inside the plane just used, next to a piece of boundary on it, lies
+  /// material; outside, none.
+  void split(std::size_t begin) {
+    const std::size_t end = polygons_.size();
+    const std::size_t first_corner = corners_.size();
+    const std::uint32_t plane = choose_plane(std::span(polygons_).subspan(begin));
     const std::int32_t cut = cutter(solid_.planes[plane], static_cast<std::int32_t>(plane));
-    std::vector<Polygon> inside;
-    std::vector<Polygon> outside;
-    std::vector<int> sides;
-    for (Polygon& polygon : polygons) {
-      if (polygon.plane == plane) continue;
-      const Reach reach = reach_of(polygon, plane);
-      if (reach.inside && reach.outside) {
-        sides.clear();
-        for (const Corner& corner : polygon.corners) {
-          sides.push_back(side(corner, polygon.plane, plane));
-        }
-        inside.push_back(half(polygon, sides, -1, cut));
-        outside.push_back(half(polygon, sides, +1, cut));
-      } else if (reach.inside) {
-        inside.push_back(std::move(polygon));
-      } else if (reach.outside) {
-        outside.push_back(std::move(polygon));
-      }  // else it lies on the plane: nothing is left to tell apart
-    }
-    polygons.clear();
     result_.tokens.push_back(token_of(plane));
-    if (inside.empty()) {
-      result_.tokens.push_back(kInToken);
-    } else {
-      split(std::move(inside));
+    for (const int keep : {-1, +1}) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Polygon polygon = polygons_[i];
+        if (polygon.plane == plane) continue;
+        // Where it reaches neither side, it lies on the plane: nothing is left to tell apart.
+        const Reach reach = reach_of(polygon, plane);
+        if (reach.inside && reach.outside) {
+          sides_.clear();
+          for (const Corner& corner : corners_of(polygon)) {
+            sides_.push_back(side(corner, polygon.plane, plane));
+          }
+          add_half(polygon, keep, cut);
+        } else if (keep < 0 ? reach.inside : reach.outside) {
+          polygons_.push_back(polygon);
+        }
+      }
+      if (polygons_.size() > end) {
+        split(end);
+      } else {
+        result_.tokens.push_back(keep < 0 ? kInToken : kOutToken);
+      }
+      corners_.resize(first_corner);
     }
-    if (outside.empty()) {
-      result_.tokens.push_back(kOutToken);
-    } else {
-      split(std::move(outside));
-    }
+    polygons_.resize(begin);
   }
 
   const Solid& solid_;
   const Incidence& incidence_;
   const double doubt_;
   std::vector<Cutter> cutters_;
+  // The polygons of all splits that are under way, the last one's at the end, and their corners.
+  std::vector<Polygon> polygons_;
+  std::vector<Corner> corners_;
+  // Of the split at hand.
+  std::vector<int> sides_;
+  std::vector<std::uint32_t> candidates_;
   Expression result_;
 };
 
-}  // namespace
+ExpressionBuilder::ExpressionBuilder(const Solid& solid, const Incidence& incidence)
+    : work_(std::make_unique<Work>(solid, incidence)) {}
+ExpressionBuilder::~ExpressionBuilder() = default;
+ExpressionBuilder::ExpressionBuilder(ExpressionBuilder&&) noexcept = default;
 
-Expression build_expression(const FragmentList& boundary, std::span<const Fragment> remaining,
-                            const Solid& solid, const Incidence& incidence) {
-  return ExpressionBuilder(solid, incidence).build(boundary, remaining);
+const Expression& ExpressionBuilder::build(const FragmentList& boundary,
+                                           std::span<const Fragment> remaining) {
+  return work_->build(boundary, remaining);
 }
 
 }  // namespace spoctree

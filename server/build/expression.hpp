@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "server/build/fragment.hpp"
@@ -16,12 +18,25 @@ struct Expression {
   std::vector<std::uint32_t> tokens;
 };
 
-/// The expression whose in-cells are the material of a cell, up to the planes of its ancestors.
-/// `boundary` is the cell's clipped boundary; `remaining` are those of its fragments (at least one)
-/// whose planes are not in an ancestor. Splits only by planes of remaining fragments. What lies
-/// closer to a plane than the planes' own rounding (2^-52, plus the flat tolerance used) is taken
-/// to lie on it: exact up to that rounding. Small cells in mind: O(fragments^2) per split.
-Expression build_expression(const FragmentList& boundary, std::span<const Fragment> remaining,
-                            const Solid& solid, const Incidence& incidence);
+/// Builds one expression after the other. Holds working memory: use one per thread.
+class ExpressionBuilder {
+ public:
+  /// REQUIRES: `solid` and `incidence` outlive this.
+  ExpressionBuilder(const Solid& solid, const Incidence& incidence);
+  ~ExpressionBuilder();
+  ExpressionBuilder(ExpressionBuilder&&) noexcept;
+
+  /// The expression whose in-cells are the material of a cell, up to the planes of its ancestors.
+  /// `boundary` is the cell's clipped boundary; `remaining` are those of its fragments (at least
+  /// one) whose planes are not in an ancestor. Splits only by planes of remaining fragments. What
+  /// lies closer to a plane than the planes' own rounding (2^-52, plus the flat tolerance used) is
+  /// taken to lie on it: exact up to that rounding. Small cells in mind: O(fragments^2) per split.
+  /// Valid until the next call.
+  const Expression& build(const FragmentList& boundary, std::span<const Fragment> remaining);
+
+ private:
+  struct Work;
+  std::unique_ptr<Work> work_;
+};
 
 }  // namespace spoctree

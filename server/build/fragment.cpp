@@ -65,34 +65,59 @@ FragmentCorner cross_wall(const FragmentCorner& from, const FragmentCorner& to,
   return corner;
 }
 
-/// The half of a polygon on the side of `keep` (-1 or +1), appended to `out` if it has area.
-void clip_half(std::span<const FragmentCorner> polygon, const std::vector<int>& side, int keep,
-               const Fragment& fragment, const Solid& solid, int axis, double coordinate,
-               FragmentList& out) {
-  Fragment part{fragment.triangle, static_cast<std::uint32_t>(out.corners.size()), 0};
-  const std::size_t count = polygon.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t j = i + 1 == count ? 0 : i + 1;
-    const int here = side[i] * keep;
-    const int there = side[j] * keep;
-    if (here >= 0) {
-      out.corners.push_back(polygon[i]);
-      FragmentCorner& added = out.corners.back();
-      if (here == 0) {
-        added.pinned = static_cast<std::uint8_t>(added.pinned | (1u << axis));
-        added.position[axis] = coordinate;
-        if (there < 0) added.edge = static_cast<std::uint8_t>(3 + axis);
-      }
+/// Appends the parts of a polygon below and above a wall that it meets. `side` is that of each of
+/// its corners.
+void split_polygon(std::span<const FragmentCorner> polygon, const std::vector<signed char>& side,
+                   std::uint32_t triangle, const Solid& solid, int axis, double coordinate,
+                   FragmentList* lower, FragmentList* upper) {
+  const auto wall = static_cast<std::uint8_t>(3 + axis);
+  const auto begin = [triangle](FragmentList* list) {
+    if (list == nullptr) return;
+    list->fragments.push_back({triangle, static_cast<std::uint32_t>(list->corners.size()), 0});
+  };
+  const auto end = [](FragmentList* list) {
+    if (list == nullptr) return;
+    Fragment& part = list->fragments.back();
+    part.corner_count = static_cast<std::uint32_t>(list->corners.size()) - part.first_corner;
+  };
+  const auto add = [](FragmentList* list, const FragmentCorner& corner, std::uint8_t edge) {
+    if (list == nullptr) return;
+    list->corners.push_back(corner);
+    list->corners.back().edge = edge;
+  };
+  begin(lower);
+  begin(upper);
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const std::size_t j = i + 1 == polygon.size() ? 0 : i + 1;
+    const int here = side[i];
+    const int there = side[j];
+    const FragmentCorner& corner = polygon[i];
+    if (here < 0) add(lower, corner, corner.edge);
+    if (here > 0) add(upper, corner, corner.edge);
+    if (here == 0) {
+      FragmentCorner on_wall = corner;
+      on_wall.pinned = static_cast<std::uint8_t>(corner.pinned | (1u << axis));
+      on_wall.position[axis] = coordinate;
+      add(lower, on_wall, there > 0 ? wall : corner.edge);
+      add(upper, on_wall, there < 0 ? wall : corner.edge);
     }
     if (here * there < 0) {
-      FragmentCorner added =
-          cross_wall(polygon[i], polygon[j], fragment.triangle, solid, axis, coordinate);
-      added.edge = here > 0 ? static_cast<std::uint8_t>(3 + axis) : polygon[i].edge;
-      out.corners.push_back(added);
+      const FragmentCorner crossing =
+          cross_wall(corner, polygon[j], triangle, solid, axis, coordinate);
+      add(lower, crossing, here < 0 ? wall : corner.edge);
+      add(upper, crossing, here > 0 ? wall : corner.edge);
     }
   }
-  part.corner_count = static_cast<std::uint32_t>(out.corners.size()) - part.first_corner;
-  out.fragments.push_back(part);
+  end(lower);
+  end(upper);
+}
+
+/// Appends a polygon as it is.
+void copy_polygon(std::span<const FragmentCorner> polygon, std::uint32_t triangle,
+                  FragmentList& to) {
+  to.fragments.push_back({triangle, static_cast<std::uint32_t>(to.corners.size()),
+                          static_cast<std::uint32_t>(polygon.size())});
+  to.corners.insert(to.corners.end(), polygon.begin(), polygon.end());
 }
 
 }  // namespace
@@ -134,11 +159,8 @@ int CornerSides::exact_side(const FragmentCorner& corner, std::uint32_t triangle
   return 0;
 }
 
-int CornerSides::side(const FragmentCorner& corner, std::uint32_t triangle,
-                      std::uint32_t plane) const {
-  const Plane& p = solid_->planes[plane];
-  const double value = glm::dot(p.normal, corner.position) - p.offset;
-  if (std::abs(value) > doubt_ + 2 * corner.error) return value > 0 ? 1 : -1;
+int CornerSides::side_in_doubt(const FragmentCorner& corner, std::uint32_t triangle,
+                               std::uint32_t plane) const {
   switch (corner.origin) {
     case FragmentCorner::Origin::Vertex:
       if (incidence_->is_on(corner.a, plane)) return 0;
@@ -150,31 +172,35 @@ int CornerSides::side(const FragmentCorner& corner, std::uint32_t triangle,
       if (solid_->facet_plane[solid_->triangles[triangle].facet] == plane) return 0;
       break;
   }
-  return exact_side(corner, triangle, p);
+  return exact_side(corner, triangle, solid_->planes[plane]);
 }
 
-int CornerSides::side_of_wall(const FragmentCorner& corner, std::uint32_t triangle, int axis,
-                              double coordinate) const {
+int CornerSides::side_of_wall_in_doubt(const FragmentCorner& corner, std::uint32_t triangle,
+                                       int axis, double coordinate) const {
   const double value = corner.position[axis] - coordinate;
   const bool exact =
       corner.origin == FragmentCorner::Origin::Vertex || ((corner.pinned >> axis) & 1) != 0;
-  if (exact || std::abs(value) > corner.error) return value > 0 ? 1 : (value < 0 ? -1 : 0);
+  if (exact) return value > 0 ? 1 : (value < 0 ? -1 : 0);
   return exact_side(corner, triangle, wall_plane(axis, coordinate));
 }
 
 void split_fragments(const FragmentList& list, std::span<const Fragment> fragments,
                      const Solid& solid, const CornerSides& sides, int axis, double coordinate,
                      FragmentList& lower, FragmentList& upper) {
-  std::vector<int> side;  // nine at most, but for polygons that rounding left slightly non-convex
+  std::vector<signed char> side;  // of nine corners at most, but where rounding left a polygon
+                                  // slightly non-convex
   for (const Fragment& fragment : fragments) {
     const auto polygon = list.corners_of(fragment);
     side.resize(polygon.size());
     bool any_lower = false;
+    bool any_on = false;
     bool any_upper = false;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
-      side[i] = sides.side_of_wall(polygon[i], fragment.triangle, axis, coordinate);
-      any_lower |= side[i] < 0;
-      any_upper |= side[i] > 0;
+      const int s = sides.side_of_wall(polygon[i], fragment.triangle, axis, coordinate);
+      side[i] = static_cast<signed char>(s);
+      any_lower |= s < 0;
+      any_on |= s == 0;
+      any_upper |= s > 0;
     }
     if (!any_lower && !any_upper) {
       // In the wall: its material is on the side the normal points away from.
@@ -182,8 +208,12 @@ void split_fragments(const FragmentList& list, std::span<const Fragment> fragmen
       any_lower = material_below;
       any_upper = !material_below;
     }
-    if (any_lower) clip_half(polygon, side, -1, fragment, solid, axis, coordinate, lower);
-    if (any_upper) clip_half(polygon, side, +1, fragment, solid, axis, coordinate, upper);
+    if (any_on || any_lower == any_upper) {
+      split_polygon(polygon, side, fragment.triangle, solid, axis, coordinate,
+                    any_lower ? &lower : nullptr, any_upper ? &upper : nullptr);
+    } else {
+      copy_polygon(polygon, fragment.triangle, any_lower ? lower : upper);
+    }
   }
 }
 

@@ -1,7 +1,9 @@
 // The solid's triangles clipped to cells, with corners that remember how they arose.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <vector>
 
@@ -63,14 +65,27 @@ class CornerSides {
 
   /// Side of a corner with respect to plane `plane` of the solid: 0 where incidence says so, the
   /// exact sign elsewhere. `triangle` is the one the corner belongs to.
-  int side(const FragmentCorner& corner, std::uint32_t triangle, std::uint32_t plane) const;
+  int side(const FragmentCorner& corner, std::uint32_t triangle, std::uint32_t plane) const {
+    const Plane& p = solid_->planes[plane];
+    const double value = glm::dot(p.normal, corner.position) - p.offset;
+    if (std::abs(value) > doubt_ + 2 * corner.error) return value > 0 ? 1 : -1;
+    return side_in_doubt(corner, triangle, plane);
+  }
   /// Side of a corner with respect to the wall { y[axis] = coordinate }.
   int side_of_wall(const FragmentCorner& corner, std::uint32_t triangle, int axis,
-                   double coordinate) const;
+                   double coordinate) const {
+    const double value = corner.position[axis] - coordinate;
+    if (std::abs(value) > corner.error) return value > 0 ? 1 : -1;
+    return side_of_wall_in_doubt(corner, triangle, axis, coordinate);
+  }
   /// Distances beyond this (plus the corner's error) are not in doubt.
   double doubt() const { return doubt_; }
 
  private:
+  int side_in_doubt(const FragmentCorner& corner, std::uint32_t triangle,
+                    std::uint32_t plane) const;
+  int side_of_wall_in_doubt(const FragmentCorner& corner, std::uint32_t triangle, int axis,
+                            double coordinate) const;
   int exact_side(const FragmentCorner& corner, std::uint32_t triangle, const Plane& plane) const;
 
   const Solid* solid_;

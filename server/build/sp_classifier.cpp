@@ -5,17 +5,16 @@
 #include <limits>
 
 #include "common/geometry/predicates.hpp"
-#include "server/build/expression.hpp"
 
 namespace spoctree {
 
 SpClassifier::SpClassifier(const Solid& solid, const Incidence& incidence,
                            const SolidQueries& queries, const SpRules& rules)
     : solid_(solid),
-      incidence_(incidence),
       queries_(queries),
       rules_(rules),
       sides_(solid, incidence),
+      expressions_(solid, incidence),
       resolved_(solid.planes.size(), 0),
       plane_stamp_(solid.planes.size(), 0),
       facet_stamp_(solid.facet_count(), 0),
@@ -44,10 +43,10 @@ void SpClassifier::classify(Cell& cell, Decision& decision) {
   if (is_concave()) return take(NodeKind::Concave);
   const bool by_rule = planes_.size() <= rules_.leaf_planes || shares_a_vertex();
   if (by_rule || cell.depth >= rules_.max_depth) {
-    Expression expression = build_expression(cell.boundary, remaining_, solid_, incidence_);
+    const Expression& expression = expressions_.build(cell.boundary, remaining_);
     decision.kind = NodeKind::Vertex;
-    decision.planes = std::move(expression.planes);
-    decision.tokens = std::move(expression.tokens);
+    decision.planes = expression.planes;
+    decision.tokens = expression.tokens;
     decision.is_depth_limited = !by_rule;
     return;
   }
@@ -118,15 +117,15 @@ void SpClassifier::classify_homogeneous(Cell& cell, Decision& decision) {
   decision.kind = inside ? NodeKind::Black : NodeKind::White;
 }
 
-bool SpClassifier::no_remaining_corner_on_side(int sign) const {
+bool SpClassifier::no_remaining_corner_on_side(int sign) {
   return std::none_of(planes_.begin(), planes_.end(), [&](std::uint32_t plane) {
     return remaining_corners_.any_on_side(plane, sign, solid_.planes[plane], sides_);
   });
 }
 
-bool SpClassifier::is_convex() const { return no_remaining_corner_on_side(+1); }
+bool SpClassifier::is_convex() { return no_remaining_corner_on_side(+1); }
 
-bool SpClassifier::is_concave() const { return no_remaining_corner_on_side(-1); }
+bool SpClassifier::is_concave() { return no_remaining_corner_on_side(-1); }
 
 bool SpClassifier::shares_a_vertex() const {
   const std::uint32_t smallest =
@@ -177,7 +176,7 @@ CornerState SpClassifier::state_of(Cell& cell, unsigned octant) const {
   return state;
 }
 
-bool SpClassifier::is_hull_plane(Cell& cell, std::uint32_t plane) const {
+bool SpClassifier::is_hull_plane(Cell& cell, std::uint32_t plane) {
   const Plane& coefficients = solid_.planes[plane];
   if (remaining_corners_.any_on_side(plane, +1, coefficients, sides_) ||
       resolved_corners_.any_on_side(plane, +1, coefficients, sides_)) {

@@ -6,6 +6,7 @@
 
 #include "server/build/cell.hpp"
 #include "server/build/corner_set.hpp"
+#include "server/build/expression.hpp"
 #include "server/solid/solid_queries.hpp"
 
 namespace spoctree {
@@ -35,19 +36,19 @@ class SpClassifier {
  private:
   void classify_homogeneous(Cell& cell, Decision& decision);
   void collect(const Cell& cell);
-  bool is_convex() const;
-  bool is_concave() const;
+  bool is_convex();
+  bool is_concave();
   bool shares_a_vertex() const;
   std::uint32_t triangle_near_centre(const Cell& cell) const;
   CornerState state_of(Cell& cell, unsigned octant) const;
-  bool is_hull_plane(Cell& cell, std::uint32_t plane) const;
-  bool no_remaining_corner_on_side(int sign) const;
+  bool is_hull_plane(Cell& cell, std::uint32_t plane);
+  bool no_remaining_corner_on_side(int sign);
 
   const Solid& solid_;
-  const Incidence& incidence_;
   const SolidQueries& queries_;
   const SpRules rules_;
   const CornerSides sides_;
+  ExpressionBuilder expressions_;
   std::vector<std::uint8_t> resolved_;  ///< per plane: taken by an ancestor
 
   // Of the cell at hand.

@@ -34,7 +34,7 @@ void judge(const Solid& solid, std::uint32_t depth, std::size_t points, Random& 
   for (const Cell& cell : cells_of(solid, incidence, depth)) {
     if (cell.boundary.fragments.empty()) continue;
     const Expression expression =
-        build_expression(cell.boundary, cell.boundary.fragments, solid, incidence);
+        ExpressionBuilder(solid, incidence).build(cell.boundary, cell.boundary.fragments);
     ASSERT_TRUE(
         is_well_formed(expression.tokens, static_cast<std::uint32_t>(expression.planes.size())));
     const std::set<std::uint32_t> distinct(expression.planes.begin(), expression.planes.end());
