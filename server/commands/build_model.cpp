@@ -54,7 +54,7 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   }
   std::string refusals;
   if (options.repair) {
-    Repair repaired = repair(std::move(soup), mesh.string());
+    Repair repaired = repair(std::move(soup));
     soup = std::move(repaired.soup);
     changes.insert(changes.end(), repaired.changes.begin(), repaired.changes.end());
     for (const std::string& refusal : repaired.refusals) {
@@ -67,6 +67,7 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
   ImportOptions import_options;
   import_options.flat_tolerance = options.flat_tolerance;
+  import_options.turn_shells = options.repair;
   try {
     return import_solid(soup, name, import_options);
   } catch (const BadInput& error) {

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "common/base/errors.hpp"
 #include "server/mesh/point_table.hpp"
+#include "server/solid/first_found.hpp"
 
 namespace spoctree {
 
@@ -15,9 +18,15 @@ namespace {
 // A long polygon is recognised by its first corners.
 constexpr std::size_t kMostCornersNamed = 3;
 
+// What a file has in single precision is named with as many digits as that has.
 std::string to_text(double value) {
   char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value + 0.0);  // no "-0"
+  value += 0.0;  // no "-0"
+  const bool is_single = std::abs(value) <= std::numeric_limits<float>::max() &&
+                         static_cast<double>(static_cast<float>(value)) == value;
+  const auto end = is_single
+                       ? std::to_chars(buffer, buffer + sizeof buffer, static_cast<float>(value))
+                       : std::to_chars(buffer, buffer + sizeof buffer, value);
   return {buffer, end.ptr};
 }
 
@@ -66,18 +75,18 @@ GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name
   mesh.universe = universe_around(lower, upper);
   mesh.box_diagonal = glm::length(size / mesh.universe.scale());
 
-  std::size_t collisions = 0;
-  std::string first_collision;
+  FirstFound<std::uint32_t> collisions;
   PointTable table(mesh.vertices);
   for (std::uint32_t i = 0; i < points.size(); ++i) {
     const Vec3 y = mesh.universe.to_grid(points[i]);
     // A collision shifts the numbers of later points, but then they are not needed any more.
-    if (table.find_or_add(y) + collisions == i) continue;
-    if (collisions++ == 0) first_collision = mesh.place({i});
+    if (table.find_or_add(y) + collisions.count() == i) continue;
+    collisions.add(i);
   }
-  if (collisions > 0) {
-    mesh.fail(counted(collisions, "point") + " closer to another point than 2^-52 of the extent, " +
-              "first at " + first_collision);
+  if (collisions.count() > 0) {
+    mesh.fail(counted(collisions.count(), "point") +
+              " closer to another point than 2^-52 of the extent, " +
+              collisions.places([&](std::uint32_t i) { return mesh.place({i}); }));
   }
   return mesh;
 }

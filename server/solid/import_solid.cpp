@@ -17,29 +17,51 @@ namespace {
 
 void reject_self_intersections(const GridMesh& mesh, const BoxTree& boxes) {
   const SelfIntersections found = find_self_intersections(mesh.vertices, mesh.triangles, boxes);
-  if (found.count == 0) return;
+  if (found.count() == 0) return;
   // The coordinates of the file may be finer than the grid; then say whose fault it is.
   const bool is_by_rounding =
       find_self_intersections(mesh.points, mesh.triangles, box_tree_of(mesh.points, mesh.triangles))
-          .count == 0;
+          .count() == 0;
   mesh.fail("self-intersecting: " +
-            (found.count == kMostSelfIntersections ? std::string("at least ") : std::string()) +
-            counted(found.count, "pair") + " of triangles meet" +
-            (is_by_rounding ? " once points are rounded to 2^-52 of the extent" : "") +
-            ", first at " + mesh.place(mesh.triangles[found.first[0]]) + " and " +
-            mesh.place(mesh.triangles[found.first[1]]));
+            (found.count() == kMostSelfIntersections ? std::string("at least ") : std::string()) +
+            counted(found.count(), "pair") + " of triangles meet" +
+            (is_by_rounding ? " once points are rounded to 2^-52 of the extent" : "") + ", " +
+            found.places([&](const std::array<std::uint32_t, 2>& pair) {
+              return mesh.place(mesh.triangles[pair[0]]) + " with " +
+                     mesh.place(mesh.triangles[pair[1]]);
+            }));
 }
 
-ShellJudgement judge_nesting(const GridMesh& mesh, const std::vector<Corners>& neighbours,
-                             const BoxTree& boxes) {
-  const ShellJudgement shells = judge_shells(mesh, neighbours, boxes);
-  if (shells.wrong > 0 && !shells.is_inside_out()) {
-    mesh.fail("not consistently oriented: " + std::to_string(shells.wrong) + " of " +
-              std::to_string(shells.shells) +
-              " shells face the wrong way for how they nest, the first has a face at " +
-              mesh.place(mesh.triangles[shells.first_wrong]));
+// Reverses the triangles of the shells that `starts` are in. Their edges 0 and 2 change places.
+void turn_shells(std::vector<Corners>& triangles, std::vector<Corners>& neighbours,
+                 std::vector<std::uint32_t> starts) {
+  std::vector<bool> is_turned(triangles.size(), false);
+  while (!starts.empty()) {
+    const std::uint32_t t = starts.back();
+    starts.pop_back();
+    if (is_turned[t]) continue;
+    is_turned[t] = true;
+    std::swap(triangles[t][1], triangles[t][2]);
+    std::swap(neighbours[t][0], neighbours[t][2]);
+    starts.insert(starts.end(), neighbours[t].begin(), neighbours[t].end());
   }
-  return shells;
+}
+
+ShellJudgement judge_nesting(GridMesh& mesh, std::vector<Corners>& neighbours, const BoxTree& boxes,
+                             bool may_turn_shells, SolidReport& report) {
+  ShellJudgement shells = judge_shells(mesh, neighbours, boxes);
+  if (shells.wrong.empty() || shells.is_inside_out()) return shells;
+  if (!may_turn_shells) {
+    FirstFound<std::uint32_t> wrong;
+    for (const std::uint32_t t : shells.wrong) wrong.add(t);
+    mesh.fail("not consistently oriented: " + std::to_string(wrong.count()) + " of " +
+              std::to_string(shells.shells) +
+              " shells face the wrong way for how they nest, with faces " +
+              wrong.places([&](std::uint32_t t) { return mesh.place(mesh.triangles[t]); }));
+  }
+  report.turned_shells = shells.wrong.size();
+  turn_shells(mesh.triangles, neighbours, shells.wrong);
+  return judge_shells(mesh, neighbours, boxes);
 }
 
 // Reverses all triangles. Their edges 0 and 2 change places.
@@ -47,7 +69,7 @@ void turn(std::vector<Corners>& triangles, std::vector<Corners>& neighbours,
           ShellJudgement& shells) {
   for (Corners& t : triangles) std::swap(t[1], t[2]);
   for (Corners& n : neighbours) std::swap(n[0], n[2]);
-  shells.wrong = 0;
+  shells.wrong.clear();
   shells.volume = -shells.volume;
 }
 
@@ -81,7 +103,7 @@ Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportO
 
   const BoxTree boxes = box_tree_of(mesh.vertices, mesh.triangles);
   reject_self_intersections(mesh, boxes);
-  ShellJudgement shells = judge_nesting(mesh, neighbours, boxes);
+  ShellJudgement shells = judge_nesting(mesh, neighbours, boxes, options.turn_shells, report);
   report.was_turned = shells.is_inside_out();
   if (report.was_turned) turn(mesh.triangles, neighbours, shells);
 

@@ -14,6 +14,9 @@ struct ImportOptions {
   /// fraction of the diagonal of the bounding box; corners move onto its plane, by less than twice
   /// this. What would not bound a solid any more is merged less. 0: nothing is merged.
   double flat_tolerance = kDefaultFlatTolerance;
+  /// Shells that face the wrong way for how they nest (an inside-out part, an outside-out cavity)
+  /// are turned instead of refused (report.turned_shells).
+  bool turn_shells = false;
 };
 
 /// The solid that the faces bound. They may be polygons, convex or not, even or not; the surface

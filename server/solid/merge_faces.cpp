@@ -123,7 +123,7 @@ std::optional<PlanarSurface> Merger::finish(Attempt attempt) const {
   merged.shells = judge_shells(
       merged.mesh, merged.neighbours,
       shells_.shells > 1 ? box_tree_of(merged.mesh.vertices, merged.mesh.triangles) : boxes_);
-  if (merged.shells.wrong > 0) return std::nullopt;
+  if (!merged.shells.wrong.empty()) return std::nullopt;
 
   merged.planes = surface_.planes;
   for (const std::uint32_t t : attempt.changed) {

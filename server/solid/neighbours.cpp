@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "server/solid/first_found.hpp"
+
 namespace spoctree {
 
 namespace {
@@ -24,20 +26,19 @@ std::uint32_t end_of(const GridMesh& mesh, std::uint32_t half_edge) {
   return mesh.triangles[half_edge / 3][(half_edge % 3 + 1) % 3];
 }
 
-// Counts one kind of faulty edge; the first is the one whose half-edge comes first.
-struct EdgeFault {
-  std::size_t count = 0;
-  std::uint32_t first = kNone;
-  void add(std::uint32_t half_edge) {
-    ++count;
-    first = std::min(first, half_edge);
-  }
-  void fail_if_any(const GridMesh& mesh, const std::string& fault, const std::string& edges) const {
-    if (count == 0) return;
-    mesh.fail(fault + ": " + edges + ", first at " +
-              mesh.place({start_of(mesh, first), end_of(mesh, first)}));
-  }
-};
+// One kind of faulty edge, each named by its first half-edge.
+using EdgeFault = FirstFound<std::uint32_t>;
+
+// "fault: 3 edges which, at ...", behind what is there already.
+void describe(const EdgeFault& edges, const GridMesh& mesh, const std::string& fault,
+              const char* edge, const char* which, std::string& text) {
+  if (edges.count() == 0) return;
+  if (!text.empty()) text += "; ";
+  text += fault + ": " + counted(edges.count(), edge) + which + ", " +
+          edges.places([&](std::uint32_t half_edge) {
+            return mesh.place({start_of(mesh, half_edge), end_of(mesh, half_edge)});
+          });
+}
 
 // The half-edges by edge: those of one edge stand together, in the order of the triangles.
 std::vector<FiledHalfEdge> file_half_edges(const GridMesh& mesh,
@@ -64,15 +65,13 @@ void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& nei
   std::vector<bool> is_seen(3 * mesh.triangles.size(), false);
   std::vector<bool> has_fan(mesh.vertices.size(), false);
   std::vector<bool> is_split(mesh.vertices.size(), false);
-  std::size_t count = 0;
-  std::uint32_t first = kNone;
+  FirstFound<std::uint32_t> split;
   for (std::uint32_t h = 0; h < 3 * mesh.triangles.size(); ++h) {
     if (is_seen[h]) continue;
     const std::uint32_t vertex = start_of(mesh, h);
     if (has_fan[vertex] && !is_split[vertex]) {
       is_split[vertex] = true;
-      ++count;
-      first = std::min(first, vertex);
+      split.add(vertex);
     }
     has_fan[vertex] = true;
     // Once around the vertex: across the edge that leaves it, to the one that leaves it there.
@@ -83,11 +82,12 @@ void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& nei
       corner = 3 * t + (corners[0] == vertex ? 0 : corners[1] == vertex ? 1 : 2);
     }
   }
-  if (count > 0) {
-    mesh.fail(
-        "not a manifold: the faces around " +
-        (count == 1 ? std::string("1 vertex form") : std::to_string(count) + " vertices form") +
-        " more than one fan, first at " + mesh.place({first}));
+  if (split.count() > 0) {
+    mesh.fail("not a manifold: the faces around " +
+              (split.count() == 1 ? std::string("1 vertex form")
+                                  : std::to_string(split.count()) + " vertices form") +
+              " more than one fan, " +
+              split.places([&](std::uint32_t vertex) { return mesh.place({vertex}); }));
   }
 }
 
@@ -118,11 +118,12 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh) {
       i = end;
     }
   }
-  crowded.fail_if_any(mesh, "not a manifold",
-                      counted(crowded.count, "edge") + " with more than two faces");
-  border.fail_if_any(mesh, "not closed", counted(border.count, "border edge"));
-  misoriented.fail_if_any(mesh, "not consistently oriented",
-                          counted(misoriented.count, "edge") + " whose two faces disagree");
+  std::string faults;
+  describe(crowded, mesh, "not a manifold", "edge", " with more than two faces", faults);
+  describe(border, mesh, "not closed", "border edge", "", faults);
+  describe(misoriented, mesh, "not consistently oriented", "edge", " whose two faces disagree",
+           faults);
+  if (!faults.empty()) mesh.fail(faults);
   reject_split_vertices(mesh, neighbours);
   return neighbours;
 }

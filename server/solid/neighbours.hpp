@@ -8,9 +8,10 @@ namespace spoctree {
 
 /// For each triangle the triangle across edge i (from corner i to corner i + 1). Linear, but for
 /// sorting the edges around each vertex.
-/// Throws BadInput, in this order, for edges with more than two triangles; for edges with one; for
-/// edges that both triangles run along in the same direction; and for vertices whose triangles form
-/// more than one fan. The text counts them and names the first in the order of the file.
+/// Throws BadInput for edges with more than two triangles, edges with one, and edges that both
+/// triangles run along in the same direction; if there are none of these, for vertices whose
+/// triangles form more than one fan. The text counts them and names the first in the order of the
+/// file.
 std::vector<Corners> find_neighbours(const GridMesh& mesh);
 
 }  // namespace spoctree

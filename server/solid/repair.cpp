@@ -29,9 +29,7 @@ bool has_crowded_edges(const PolygonSoup& soup) {
 
 class Repairer {
  public:
-  Repairer(PolygonSoup&& soup, const std::string& name) : name_(name) {
-    repair_.soup = std::move(soup);
-  }
+  explicit Repairer(PolygonSoup&& soup) { repair_.soup = std::move(soup); }
 
   Repair run() {
     drop_duplicates();
@@ -60,21 +58,22 @@ class Repairer {
   }
 
   void fill() {
-    const FilledHoles holes = fill_holes(soup(), name_);
+    const FilledHoles holes = fill_holes(soup());
     const double whole = holes.whole;
     if (holes.filled.count() > 0) {
       const Hole& largest = holes.largest;
       repair_.changes.push_back(
           "filled: " + counted(holes.filled.count(), "hole") + " with " +
-          counted(holes.triangles, "triangle") + ", " + holes.filled.places(hole_place()) +
+          counted(holes.faces, "face") + ", " + holes.filled.places(hole_place()) +
           "; the largest has " + counted(largest.edges, "edge") + ", is " +
           to_percent(largest.size / whole) + " of the diagonal in size" +
           (largest.is_flat ? ", flat" : "") + ", at " + hole_place()(largest));
     }
-    refuse(holes.too_long, "of more than " + std::to_string(kMostHoleEdges) + " edges");
+    refuse(holes.too_long, "with too many edges (the limit is " + std::to_string(kMostHoleEdges) +
+                               " for one that is not flat)");
     refuse(holes.too_large,
            "neither flat nor within " + to_percent(kLargestHole) + " of the diagonal in size");
-    refuse(holes.unfillable, "that only a fold onto faces beside it would close");
+    refuse(holes.unfillable, "that no patch of new edges closes");
   }
 
   std::function<std::string(const Hole&)> hole_place() const {
@@ -100,14 +99,11 @@ class Repairer {
                               }));
   }
 
-  const std::string& name_;
   Repair repair_;
 };
 
 }  // namespace
 
-Repair repair(PolygonSoup soup, const std::string& name) {
-  return Repairer(std::move(soup), name).run();
-}
+Repair repair(PolygonSoup soup) { return Repairer(std::move(soup)).run(); }
 
 }  // namespace spoctree

@@ -8,8 +8,12 @@
 
 namespace spoctree {
 
-/// Holes with more edges than this are left open: filling takes time with the square of them.
-inline constexpr std::size_t kMostHoleEdges = 2000;
+/// Uneven holes with more edges than this are left open, since filling takes time and memory with
+/// the square of them; and those that come after so many that the squares add up to its square.
+inline constexpr std::size_t kMostHoleEdges = 1000;
+
+/// Flat holes with more edges than this are closed by one polygon.
+inline constexpr std::size_t kMostFlatHoleEdges = 50;
 
 /// Holes that are not flat and have more than kFewHoleEdges edges are left open if they are larger
 /// than this, as a fraction of the bounding box's diagonal: beyond it, the shape that is missing
@@ -41,9 +45,8 @@ struct Repair {
 /// bounds a solid is not promised: import_solid judges it like any other. Edges with more than two
 /// faces and self-intersections stay what they are.
 ///
-/// n log n for n face corners, and quadratic in the edges of a hole that is not flat. Throws
-/// BadInput if CGAL gives up on a hole in a way that it should not. REQUIRES: soup as from
-/// read_mesh.
-Repair repair(PolygonSoup soup, const std::string& name);
+/// n log n for n face corners, and quadratic in kMostHoleEdges. Throws nothing but what memory
+/// does. REQUIRES: soup as from read_mesh.
+Repair repair(PolygonSoup soup);
 
 }  // namespace spoctree

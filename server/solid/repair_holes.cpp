@@ -12,7 +12,6 @@
 #include <limits>
 #include <set>
 
-#include "common/base/errors.hpp"
 #include "server/solid/repair.hpp"
 #include "server/solid/repair_holes.hpp"
 #include "server/solid/soup_edges.hpp"
@@ -28,7 +27,7 @@ using Point = Kernel::Point_3;
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // CGAL's algorithm without the Delaunay triangulation is cubic.
-constexpr std::size_t kMostCubicEdges = 200;
+constexpr std::size_t kMostCubicEdges = 50;
 
 // A border edge seen from the hole: against the direction of its face.
 struct BorderEdge {
@@ -37,7 +36,7 @@ struct BorderEdge {
   std::uint32_t opposite;  // a third corner of the face
 };
 
-using Patch = std::vector<std::array<std::uint32_t, 3>>;  // point numbers
+using Patch = std::vector<std::vector<std::uint32_t>>;  // faces, as point numbers
 using Loop = std::vector<BorderEdge>;
 
 std::vector<BorderEdge> find_border(const PolygonSoup& soup) {
@@ -136,7 +135,8 @@ Hole describe(const Loop& loop, const PolygonSoup& soup) {
   return hole;
 }
 
-Patch find_patch(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
+// Empty if CGAL finds none.
+Patch triangulate(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
   std::vector<Point> points;
   std::vector<Point> opposite;
   for (const BorderEdge& edge : loop) {
@@ -146,11 +146,15 @@ Patch find_patch(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
     opposite.emplace_back(q.x, q.y, q.z);
   }
   std::vector<CGAL::Triple<int, int, int>> triangles;
-  PMP::triangulate_hole_polyline(points, opposite, std::back_inserter(triangles),
-                                 CGAL::parameters::use_delaunay_triangulation(true)
-                                     .use_2d_constrained_delaunay_triangulation(hole.is_flat)
-                                     .threshold_distance(kFlatHole * hole.size)
-                                     .do_not_use_cubic_algorithm(loop.size() > kMostCubicEdges));
+  try {
+    PMP::triangulate_hole_polyline(points, opposite, std::back_inserter(triangles),
+                                   CGAL::parameters::use_delaunay_triangulation(true)
+                                       .use_2d_constrained_delaunay_triangulation(hole.is_flat)
+                                       .threshold_distance(kFlatHole * hole.size)
+                                       .do_not_use_cubic_algorithm(loop.size() > kMostCubicEdges));
+  } catch (const CGAL::Failure_exception&) {
+    return {};
+  }
   Patch patch;
   for (const auto& t : triangles) {
     const auto corner = [&](int i) { return loop[static_cast<std::size_t>(i) % loop.size()].from; };
@@ -159,13 +163,20 @@ Patch find_patch(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
   return patch;
 }
 
+Patch one_polygon(const Loop& loop) {
+  Patch patch(1);
+  for (const BorderEdge& edge : loop) patch[0].push_back(edge.from);
+  return patch;
+}
+
 std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
   return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
 }
 
-// Whether the patch fills the loop: its sides are the loop's edges and, in pairs, edges that are
-// new.
+// Whether the patch fills the loop: it is one polygon, or its triangles' sides are the loop's edges
+// and, in pairs, edges that are new.
 bool is_good(const Patch& patch, const Loop& loop, std::set<std::uint64_t>& edges_in_use) {
+  if (patch.size() == 1 && patch[0].size() == loop.size() && loop.size() > 3) return true;
   if (patch.size() + 2 != loop.size()) return false;
   // A triangle on its own face's back. With more edges, its diagonals would be in use.
   if (loop.size() == 3 && loop[0].opposite == loop[1].to) return false;
@@ -187,7 +198,7 @@ bool is_good(const Patch& patch, const Loop& loop, std::set<std::uint64_t>& edge
 
 }  // namespace
 
-FilledHoles fill_holes(PolygonSoup& soup, const std::string& name) {
+FilledHoles fill_holes(PolygonSoup& soup) {
   FilledHoles holes;
   const std::vector<BorderEdge> border = find_border(soup);
   if (border.empty()) return holes;
@@ -202,9 +213,13 @@ FilledHoles fill_holes(PolygonSoup& soup, const std::string& name) {
   });
 
   holes.whole = diagonal(soup.points);
+  std::size_t squares_left = kMostHoleEdges * kMostHoleEdges;
   for (const Loop& loop : find_loops(border, soup.points.size())) {
     const Hole hole = describe(loop, soup);
-    if (hole.edges > kMostHoleEdges) {
+    const bool by_polygon = hole.is_flat && hole.edges > kMostFlatHoleEdges;
+    const std::size_t square =
+        by_polygon || hole.edges <= kFewHoleEdges ? 0 : hole.edges * hole.edges;
+    if (square > squares_left) {
       holes.too_long.add(hole);
       continue;
     }
@@ -212,22 +227,17 @@ FilledHoles fill_holes(PolygonSoup& soup, const std::string& name) {
       holes.too_large.add(hole);
       continue;
     }
-    Patch patch;
-    try {
-      patch = find_patch(loop, hole, soup);
-    } catch (const CGAL::Failure_exception& failure) {
-      throw BadInput(name + ": a hole of " + std::to_string(hole.edges) +
-                     " edges cannot be filled (" + failure.expression() + ")");
-    }
+    squares_left -= square;
+    const Patch patch = by_polygon ? one_polygon(loop) : triangulate(loop, hole, soup);
     if (!is_good(patch, loop, edges_in_use)) {
       holes.unfillable.add(hole);
       continue;
     }
-    for (const auto& triangle : patch) {
-      soup.corners.insert(soup.corners.end(), triangle.begin(), triangle.end());
+    for (const auto& face : patch) {
+      soup.corners.insert(soup.corners.end(), face.begin(), face.end());
       soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
     }
-    holes.triangles += patch.size();
+    holes.faces += patch.size();
     holes.filled.add(hole);
     if (hole.size > holes.largest.size) holes.largest = hole;
   }

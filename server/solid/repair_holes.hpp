@@ -4,7 +4,6 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <string>
 
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/first_found.hpp"
@@ -25,18 +24,19 @@ struct FilledHoles {
   double whole = 0;  ///< diagonal of the bounding box of all
   FirstFound<Hole> filled;
   Hole largest;                 ///< of those filled, by size
-  std::size_t triangles = 0;    ///< put in
-  FirstFound<Hole> too_long;    ///< more than kMostHoleEdges
+  std::size_t faces = 0;        ///< put in
+  FirstFound<Hole> too_long;    ///< more edges than kMostHoleEdges allows
   FirstFound<Hole> too_large;   ///< not flat, and larger than kLargestHole of the whole
-  FirstFound<Hole> unfillable;  ///< every patch found has an edge or a face that is there already
+  FirstFound<Hole> unfillable;  ///< no patch was found, or only one that meets itself or other
+                                ///< faces in an edge that is there already
 };
 
 /// Fills every hole within the limits of repair.hpp. Each is a simple closed line: holes that touch
-/// in a point are taken apart there. A patch has the hole's points only and meets the faces around
-/// it in its edges only; among the patches that CGAL's triangulate_hole_polyline considers (those
-/// in the Delaunay triangulation of the points, if any will do) it has the smallest angles to its
-/// surroundings, then the smallest area.
+/// in a point are taken apart there. A patch has the hole's points only. Flat holes of many edges
+/// get one polygon; for others, among the patches that CGAL's triangulate_hole_polyline considers
+/// (those in the Delaunay triangulation of the points, if any will do), the one with the smallest
+/// angles to its surroundings, then the smallest area. n log n, and quadratic in kMostHoleEdges.
 /// REQUIRES: faces agree about the outside (agree_on_outside), no edge has more than two of them.
-FilledHoles fill_holes(PolygonSoup& soup, const std::string& name);
+FilledHoles fill_holes(PolygonSoup& soup);
 
 }  // namespace spoctree

@@ -77,10 +77,9 @@ SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           const BoxTree& boxes) {
   SelfIntersections found;
   boxes.visit_overlapping_pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (found.count == kMostSelfIntersections) return;
+    if (found.count() == kMostSelfIntersections) return;
     if (!meet_wrongly(points, triangles[i], triangles[j])) return;
-    const std::array<std::uint32_t, 2> ordered{std::min(i, j), std::max(i, j)};
-    if (found.count++ == 0 || ordered < found.first) found.first = ordered;
+    found.add({std::min(i, j), std::max(i, j)});
   });
   return found;
 }

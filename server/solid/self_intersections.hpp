@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "server/solid/box_tree.hpp"
+#include "server/solid/first_found.hpp"
 #include "server/solid/grid_mesh.hpp"
 
 namespace spoctree {
@@ -15,10 +16,8 @@ namespace spoctree {
 /// Pairs are no longer looked for once there are so many.
 inline constexpr std::size_t kMostSelfIntersections = 1'000'000;
 
-struct SelfIntersections {
-  std::size_t count = 0;                 ///< at most kMostSelfIntersections
-  std::array<std::uint32_t, 2> first{};  ///< the first pair of those in lexicographic order
-};
+/// Pairs of triangles, the one with the smaller number first; at most kMostSelfIntersections.
+using SelfIntersections = FirstFound<std::array<std::uint32_t, 2>>;
 
 /// Exact for the given points. Near-linear for meshes whose triangles' boxes overlap few others.
 /// REQUIRES: `boxes` holds the triangles' boxes; no triangle is degenerate; triangles that share

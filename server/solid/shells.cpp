@@ -86,7 +86,7 @@ ShellJudgement judge_shells(const GridMesh& mesh, const std::vector<Corners>& ne
     const bool bounds_cavity =
         shells.size() > 1 && is_cavity(mesh, boxes, shell_of, shell.first_triangle);
     if ((shell.volume < 0) == bounds_cavity) continue;
-    if (judgement.wrong++ == 0) judgement.first_wrong = shell.first_triangle;
+    judgement.wrong.push_back(shell.first_triangle);
   }
   judgement.volume = static_cast<double>(volume.convert_to<long double>() / 6 * 0x1p-156L);
   return judgement;

@@ -9,12 +9,12 @@ namespace spoctree {
 
 struct ShellJudgement {
   std::size_t shells = 0;
-  std::size_t wrong = 0;          ///< shells that face the wrong way for how they nest
-  std::uint32_t first_wrong = 0;  ///< a triangle of the first of these
+  /// The first triangle of each shell that faces the wrong way for how the shells nest.
+  std::vector<std::uint32_t> wrong;
   double volume = 0;  ///< enclosed material in cubed universe units; negative if all are wrong
 
   /// Every shell faces the wrong way: reversing all makes a solid.
-  bool is_inside_out() const { return wrong > 0 && wrong == shells; }
+  bool is_inside_out() const { return !wrong.empty() && wrong.size() == shells; }
 };
 
 /// A shell within an even number of others must enclose material, one within an odd number must

@@ -26,6 +26,7 @@ struct SolidReport {
   double largest_unevenness = 0;  ///< of those, the largest distance of a corner from the polygon's
                                   ///< mean plane, as a fraction of the bounding box's diagonal
   bool was_turned = false;        ///< all faces pointed inwards and were reversed
+  std::size_t turned_shells = 0;  ///< reversed because of how they nest
   std::size_t merged_points = 0;
   std::size_t planes_before_merging = 0;  ///< distinct planes with flat tolerance 0
   double largest_move = 0;  ///< of a corner onto the planes of merged faces, model units

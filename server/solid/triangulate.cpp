@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "server/solid/first_found.hpp"
 #include "server/solid/grid_integers.hpp"
 
 namespace spoctree {
@@ -162,14 +163,7 @@ bool split_face(Face face, const GridMesh& mesh, Vec3 normal, std::vector<Corner
   return false;
 }
 
-// Counts faces with one fault and remembers where the first is.
-struct Fault {
-  std::size_t count = 0;
-  std::string first_place;
-  void add(const GridMesh& mesh, std::span<const std::uint32_t> corners) {
-    if (count++ == 0) first_place = mesh.place(corners);
-  }
-};
+using Fault = FirstFound<std::size_t>;  // faces, or triangles, by number
 
 }  // namespace
 
@@ -181,7 +175,7 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     const Face face = soup.face(i);
     if (is_on_one_line(face, mesh.points)) {
-      degenerate.add(mesh, face);
+      degenerate.add(i);
     } else if (face.size() == 3) {
       mesh.triangles.push_back({face[0], face[1], face[2]});
     } else {
@@ -189,31 +183,34 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
       ++report.triangulated_faces;
       report.largest_unevenness = std::max(
           report.largest_unevenness, unevenness(face, mesh.vertices, normal) / mesh.box_diagonal);
-      if (!split_face(face, mesh, normal, mesh.triangles)) crossing.add(mesh, face);
+      if (!split_face(face, mesh, normal, mesh.triangles)) crossing.add(i);
     }
     if (mesh.triangles.size() > kMaxTriangles) {
       mesh.fail("more than " + std::to_string(kMaxTriangles) + " triangles");
     }
   }
   report.input_faces = soup.face_count();
-  if (degenerate.count > 0) {
-    mesh.fail("degenerate: " + counted(degenerate.count, "face") + " without area, first at " +
-              degenerate.first_place);
+  const auto place_of_face = [&](std::size_t i) { return mesh.place(soup.face(i)); };
+  if (degenerate.count() > 0) {
+    mesh.fail("degenerate: " + counted(degenerate.count(), "face") + " without area, " +
+              degenerate.places(place_of_face));
   }
-  if (crossing.count > 0) {
-    mesh.fail(counted(crossing.count, "polygon") + " with edges that cross or touch, first at " +
-              crossing.first_place);
+  if (crossing.count() > 0) {
+    mesh.fail(counted(crossing.count(), "polygon") + " with edges that cross or touch, " +
+              crossing.places(place_of_face));
   }
   Fault vanishing;
-  for (const Corners& t : mesh.triangles) {
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Corners& t = mesh.triangles[i];
     const AreaVector area =
         area_vector(to_grid_integers(mesh.vertices[t[0]]), to_grid_integers(mesh.vertices[t[1]]),
                     to_grid_integers(mesh.vertices[t[2]]));
-    if (area == AreaVector{0, 0, 0}) vanishing.add(mesh, t);
+    if (area == AreaVector{0, 0, 0}) vanishing.add(i);
   }
-  if (vanishing.count > 0) {
-    mesh.fail("degenerate: " + counted(vanishing.count, "triangle") +
-              " thinner than 2^-52 of the extent, first at " + vanishing.first_place);
+  if (vanishing.count() > 0) {
+    mesh.fail("degenerate: " + counted(vanishing.count(), "triangle") +
+              " thinner than 2^-52 of the extent, " +
+              vanishing.places([&](std::size_t i) { return mesh.place(mesh.triangles[i]); }));
   }
 }
 

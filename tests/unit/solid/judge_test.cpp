@@ -63,9 +63,9 @@ TEST(JudgeSolid, RefusesPointsThatTheGridCannotTellApart) {
   PolygonSoup soup = tetrahedron();
   soup.points.push_back({1e-17, 0, 0});
   soup.points.push_back({0, 1e-18, 0});
-  EXPECT_EQ(
-      import_error(soup),
-      "it: 2 points closer to another point than 2^-52 of the extent, first at (1e-17, 0, 0)");
+  EXPECT_EQ(import_error(soup),
+            "it: 2 points closer to another point than 2^-52 of the extent, at (1e-17, 0, 0) and "
+            "(0, 1e-18, 0)");
 }
 
 TEST(JudgeSolid, CountsFacesWithoutArea) {
@@ -73,7 +73,8 @@ TEST(JudgeSolid, CountsFacesWithoutArea) {
       make_soup({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {1, 0, 0}, {3, 0, 0}},
                 {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {4, 5, 1}, {0, 4, 5, 1}});
   EXPECT_EQ(import_error(soup),
-            "it: degenerate: 2 faces without area, first at (1, 0, 0)–(3, 0, 0)–(4, 0, 0)");
+            "it: degenerate: 2 faces without area, at (1, 0, 0)–(3, 0, 0)–(4, 0, 0) and "
+            "(0, 0, 0)–(1, 0, 0)–(3, 0, 0)");
 }
 
 TEST(JudgeSolid, FindsAFaceWithoutAreaThatRepeatsAPoint) {
@@ -81,7 +82,7 @@ TEST(JudgeSolid, FindsAFaceWithoutAreaThatRepeatsAPoint) {
   soup.corners.insert(soup.corners.end(), {3, 3, 1});
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   EXPECT_EQ(import_error(soup),
-            "it: degenerate: 1 face without area, first at (0, 0, 4)–(0, 0, 4)–(4, 0, 0)");
+            "it: degenerate: 1 face without area, at (0, 0, 4)–(0, 0, 4)–(4, 0, 0)");
 }
 
 TEST(JudgeSolid, AcceptsATriangleThatIsAllButDegenerate) {
@@ -103,15 +104,17 @@ TEST(JudgeSolid, FindsATriangleThatVanishesOnTheGrid) {
   soup.corners.insert(soup.corners.end(), {4, 5, 6});
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   EXPECT_EQ(import_error(soup),
-            "it: degenerate: 1 triangle thinner than 2^-52 of the extent, first at (1, 1e-17, 0)–"
+            "it: degenerate: 1 triangle thinner than 2^-52 of the extent, at (1, 1e-17, 0)–"
             "(2, 0, 0)–(3, 0, 0)");
 }
 
 TEST(JudgeSolid, CountsBorderEdges) {
   EXPECT_EQ(import_error(without_face(tetrahedron(), 3)),
-            "it: not closed: 3 border edges, first at (0, 0, 0)–(0, 4, 0)");
+            "it: not closed: 3 border edges, at (0, 0, 0)–(0, 4, 0), (0, 0, 4)–(0, 0, 0) and "
+            "(0, 4, 0)–(0, 0, 4)");
   EXPECT_EQ(import_error(make_soup({kZero, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})),
-            "it: not closed: 3 border edges, first at (0, 0, 0)–(1, 0, 0)");
+            "it: not closed: 3 border edges, at (0, 0, 0)–(1, 0, 0), (1, 0, 0)–(0, 1, 0) and "
+            "(0, 1, 0)–(0, 0, 0)");
 }
 
 TEST(JudgeSolid, CountsBorderEdgesOfAPolygonOnce) {
@@ -127,7 +130,7 @@ TEST(JudgeSolid, SaysEdgeWhereThereIsOneOnly) {
       {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 0}, {0, 0, -4}},
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {0, 5, 4}});
   EXPECT_EQ(import_error(soup),
-            "it: not a manifold: 1 edge with more than two faces, first at (4, 0, 0)–(0, 0, 0)");
+            "it: not a manifold: 1 edge with more than two faces, at (4, 0, 0)–(0, 0, 0)");
 }
 
 TEST(JudgeSolid, FindsAFaceThatIsThereTwice) {
@@ -135,15 +138,16 @@ TEST(JudgeSolid, FindsAFaceThatIsThereTwice) {
   soup.corners.insert(soup.corners.end(), {1, 2, 3});
   soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   EXPECT_EQ(import_error(soup),
-            "it: not a manifold: 3 edges with more than two faces, first at (0, 4, 0)–(4, 0, 0)");
+            "it: not a manifold: 3 edges with more than two faces, at (0, 4, 0)–(4, 0, 0), "
+            "(4, 0, 0)–(0, 0, 4) and (0, 4, 0)–(0, 0, 4)");
 }
 
 TEST(JudgeSolid, FindsAFlippedFace) {
   const PolygonSoup soup = make_soup({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}},
                                      {{0, 2, 1}, {0, 1, 3}, {1, 3, 2}, {0, 3, 2}});
   EXPECT_EQ(import_error(soup),
-            "it: not consistently oriented: 3 edges whose two faces disagree, first at "
-            "(0, 4, 0)–(4, 0, 0)");
+            "it: not consistently oriented: 3 edges whose two faces disagree, at (0, 4, 0)–"
+            "(4, 0, 0), (4, 0, 0)–(0, 0, 4) and (0, 0, 4)–(0, 4, 0)");
 }
 
 TEST(JudgeSolid, FindsAFlippedPolygon) {
@@ -157,7 +161,7 @@ TEST(JudgeSolid, FindsAVertexWithTwoFans) {
       {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-4, 0, 0}, {0, -4, 0}, {0, 0, -4}},
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}});
   EXPECT_EQ(import_error(soup),
-            "it: not a manifold: the faces around 1 vertex form more than one fan, first at "
+            "it: not a manifold: the faces around 1 vertex form more than one fan, at "
             "(0, 0, 0)");
 }
 
@@ -167,8 +171,10 @@ TEST(JudgeSolid, CountsTheFacesThatASpikePierces) {
                                       {{1, 3, 2}, {0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
   ASSERT_EQ(import_error(spike), "");
   EXPECT_EQ(import_error(together(tetrahedron(), spike)),
-            "it: self-intersecting: 3 pairs of triangles meet, first at (0, 0, 0)–(0, 4, 0)–"
-            "(4, 0, 0) and (1, 1, 1)–(2, 1, -1)–(1, 2, -1)");
+            "it: self-intersecting: 3 pairs of triangles meet, at "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(2, 1, -1)–(1, 2, -1), "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(1, 2, -1)–(0.5, 0.5, -1) and "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(0.5, 0.5, -1)–(2, 1, -1)");
 }
 
 TEST(JudgeSolid, RefusesBoxesThatOverlapOrTouch) {
@@ -242,7 +248,7 @@ TEST(JudgeSolid, RefusesShellsThatNestWrongly) {
   EXPECT_EQ(
       import_error(together(outer, inner))
           .find("it: not consistently oriented: 1 of 2 shells face the wrong way for how they "
-                "nest, the first has a face at (1, 1, 1)–"),
+                "nest, with faces at (1, 1, 1)–"),
       0u);
   EXPECT_NE(import_error(reversed(together(outer, inner))).find("1 of 2 shells"),
             std::string::npos);

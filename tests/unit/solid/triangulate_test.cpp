@@ -118,8 +118,8 @@ TEST(Triangulate, MeasuresUnevenness) {
 TEST(Triangulate, RefusesPolygonsThatCrossOrTouchThemselves) {
   const Polygon bow_tie = {{0, 0}, {2, 2}, {2, 0}, {0, 1}};
   EXPECT_EQ(import_error(prism(bow_tie, 1)),
-            "it: 2 polygons with edges that cross or touch, first at (0, 1, 0)–(2, 0, 0)–"
-            "(2, 2, 0)");
+            "it: 2 polygons with edges that cross or touch, at (0, 1, 0)–(2, 0, 0)–(2, 2, 0) "
+            "and (0, 0, 1)–(2, 2, 1)–(2, 0, 1)");
   const Polygon crossing = {{0, 0}, {4, 0}, {4, 4}, {1, -1}, {0, 4}};
   EXPECT_NE(import_error(prism(crossing, 1)).find("2 polygons with edges"), std::string::npos);
   // The corner (2, 0) touches the first side.
