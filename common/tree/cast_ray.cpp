@@ -45,7 +45,9 @@ class RayWalk {
     std::frexp(largest(ray.direction), &exponent_);
     for (int axis = 0; axis < 3; ++axis) {
       const double d = std::ldexp(ray.direction[axis], -exponent_);
-      if (std::abs(d) > kParallel) direction_[axis] = d;
+      if (std::abs(d) <= kParallel) continue;
+      direction_[axis] = d;
+      inverse_[axis] = 1 / d;
     }
     stack_.reserve(64);
   }
@@ -68,13 +70,11 @@ class RayWalk {
     }
     const double slope = glm::dot(plane.normal, direction_);
     if (std::abs(slope) <= kParallel) return {0, 0, ahead >= 0};
-    return {ahead / slope, slope, ahead >= 0};
+    return {ahead * (1 / slope), slope, ahead >= 0};
   }
   /// The same number as for a plane that lies in the wall: what is between the two is empty.
   /// REQUIRES: the direction is not at a right angle to the axis.
-  double cross_wall(int axis, double wall) const {
-    return (wall - origin_[axis]) / direction_[axis];
-  }
+  double cross_wall(int axis, double wall) const { return (wall - origin_[axis]) * inverse_[axis]; }
 
   /// How far the time of a crossing may be off.
   double error_of(Cause cause) const {
@@ -122,10 +122,10 @@ class RayWalk {
         if (DecisionGraph::is_test(part.step)) {
           pass_test(part, sink);
         } else {
-          enter_cell(part);
+          enter_cell(part, sink);
         }
       }
-      if (!sink.segment(part.step, part.from, part.to, part.cause)) return;
+      if (!sink.segment(part.step, part.from, part.cause)) return;
     }
   }
 
@@ -166,7 +166,8 @@ class RayWalk {
     part.step = before;
   }
 
-  void enter_cell(Part& part) {
+  template <class Sink>
+  void enter_cell(Part& part, const Sink& sink) {
     const auto& octants = graph_.cell(part.step);
     part.size /= 2;
     // The octant at `from`, and the middle walls that the ray crosses until `to`, in order.
@@ -202,7 +203,8 @@ class RayWalk {
     };
     double to = part.to;
     for (std::size_t k = count; k-- > 0;) {
-      if (walls[k].time < to) {
+      const Step step = octants[octant_after[k]];
+      if (walls[k].time < to && !(DecisionGraph::is_answer(step) && !sink.is_news(step))) {
         Part& rest = stack_.emplace_back(part);
         rest.from = walls[k].time;
         rest.to = to;
@@ -221,24 +223,25 @@ class RayWalk {
   const Vec3 origin_;
   const double size_;
   Vec3 direction_{0.0};
+  Vec3 inverse_{0.0};
   int exponent_ = 0;
   std::vector<Part> stack_;
 };
 
-/// Listens until material of both kinds has been met, and so a crossing for certain.
+static_assert(kOutStep == 0 && kInStep == 1 && kUnknownStep == 2);
+
+/// Listens until both material and emptiness have been met, and so a crossing for certain.
 struct FirstCrossing {
   struct Start {
     double time = kInfinity;
     Cause cause = kWallCause;
   };
-  Start out;
-  Start in;
-  Start unknown;
+  Start starts[kFirstCell];  ///< by answer
 
-  bool segment(Step answer, double from, double /*to*/, Cause cause) {
-    Start& start = answer == kUnknownStep ? unknown : (answer == kInStep ? in : out);
-    if (start.time == kInfinity) start = {from, cause};
-    return in.time == kInfinity || out.time == kInfinity;
+  bool is_news(Step answer) const { return starts[answer].time == kInfinity; }
+  bool segment(Step answer, double from, Cause cause) {
+    if (is_news(answer)) starts[answer] = {from, cause};
+    return is_news(kInStep) || is_news(kOutStep);
   }
   void crossing(std::uint32_t, const RayWalk::Crossing&) {}
 };
@@ -250,7 +253,8 @@ struct NearestPlane {
   bool found = false;
   std::uint32_t plane = 0;
 
-  bool segment(Step, double, double, Cause) { return true; }
+  bool is_news(Step) const { return false; }
+  bool segment(Step, double, Cause) { return true; }
   void crossing(std::uint32_t index, const RayWalk::Crossing& crossing) {
     if (crossing.slope == 0) return;
     const double distance = std::abs((crossing.time - time) * crossing.slope);
@@ -268,23 +272,24 @@ RayAnswer QueryIndex::first_hit(const Ray& ray) const {
   const RayWalk::Span span = walk.in_universe();
   if (!(span.from < span.to)) return {};
   FirstCrossing met;
-  if (span.from > 0) met.out = {0, kWallCause};  // it comes from beyond the universe
+  auto& [out, in, unknown] = met.starts;
+  if (span.from > 0) out = {0, kWallCause};  // it comes from beyond the universe
   walk.walk(span.from, span.to, span.from_cause, met);
-  if (met.out.time == kInfinity) met.out = {span.to, span.to_cause};
+  if (met.is_news(kOutStep)) out = {span.to, span.to_cause};
 
-  const FirstCrossing::Start certain = met.in.time > met.out.time ? met.in : met.out;
-  if (met.unknown.time < kInfinity) {
+  const FirstCrossing::Start certain = in.time > out.time ? in : out;
+  if (unknown.time < kInfinity) {
     RayAnswer answer{RayAnswer::Kind::Between, 0, kInfinity};
-    const double first = met.unknown.time - walk.error_of(met.unknown.cause);
+    const double first = unknown.time - walk.error_of(unknown.cause);
     // A ray that starts where nothing is known may cross the boundary at once.
-    const bool starts_unknown = met.unknown.time <= std::min(met.in.time, met.out.time);
+    const bool starts_unknown = unknown.time <= std::min(in.time, out.time);
     if (!starts_unknown && first > 0) answer.first = walk.to_units_given(first);
-    if (met.in.time < kInfinity) {
+    if (in.time < kInfinity) {
       answer.last = walk.to_units_given(certain.time + walk.error_of(certain.cause));
     }
     return answer;
   }
-  if (met.in.time == kInfinity) return {};
+  if (in.time == kInfinity) return {};
 
   Cause cause = certain.cause;
   if ((cause & kWallCause) != 0) {
@@ -300,7 +305,7 @@ RayAnswer QueryIndex::first_hit(const Ray& ray) const {
   } else {
     normal = tree_->planes[cause].normal;
   }
-  const bool enters = met.in.time > met.out.time;
+  const bool enters = in.time > out.time;
   if ((glm::dot(normal, walk.direction()) > 0) == enters) normal = -normal;
   const double time = walk.to_units_given(certain.time);
   return {RayAnswer::Kind::Hit, time, time, normal + 0.0};  // + 0.0: no negative zeros

@@ -37,6 +37,7 @@ struct DecisionGraph {
 
   static bool is_test(Step step) { return (step & kTestBit) != 0; }
   static bool is_answer(Step step) { return step < kFirstCell; }
+  static bool is_cell(Step step) { return !is_test(step) && !is_answer(step); }
   const PlaneTest& test(Step step) const { return tests[step & ~kTestBit]; }
   const std::array<Step, 8>& cell(Step step) const { return cells[step - kFirstCell]; }
 };

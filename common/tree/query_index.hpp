@@ -64,6 +64,14 @@ class QueryIndex {
   const Octree* tree_;
   std::uint32_t level_;
   DecisionGraph graph_;
+  /// The first steps of every point in one: where the way through the cells of a regular grid leads
+  /// to. A power of 8, no more than there are cells.
+  struct Entry {
+    Step step;
+    std::uint32_t size;  ///< of the cube that the step is for, in finest cells
+  };
+  std::vector<Entry> entries_;
+  std::uint32_t entry_depth_ = 0;
 };
 
 }  // namespace spoctree
