@@ -1,5 +1,7 @@
 #include "server/solid/flat_groups.hpp"
 
+#include <algorithm>
+
 #include "server/solid/fit_plane.hpp"
 #include "server/solid/grow_patches.hpp"
 #include "server/solid/share_planes.hpp"
@@ -60,14 +62,59 @@ FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
   }
   found.of_triangle.assign(surface.triangles.size(), kNone);
   for (std::uint32_t g = 0; g < found.groups.size(); ++g) {
-    FlatGroup& group = found.groups[g];
-    const FittedPlane fitted = fit_plane(surface, group.triangles);
-    group.plane = fitted.plane;
-    group.area = fitted.area;
-    group.is_exact = fitted.is_exact;
-    for (const std::uint32_t t : group.triangles) found.of_triangle[t] = g;
+    fit_again(surface, found.groups[g]);
+    for (const std::uint32_t t : found.groups[g].triangles) found.of_triangle[t] = g;
   }
   return found;
+}
+
+void collect_groups_around(const FlatSurface& surface, const FlatGroups& groups,
+                           std::uint32_t vertex, std::vector<std::uint32_t>& groups_around) {
+  groups_around.clear();
+  visit_fan(surface.triangles, surface.neighbours, surface.triangle_at[vertex], vertex,
+            [&](std::uint32_t t) {
+              const std::uint32_t group = groups.of_triangle[t];
+              if (group == kNone) return;
+              if (groups_around.empty() || groups_around.back() != group) {
+                groups_around.push_back(group);
+              }
+            });
+  std::sort(groups_around.begin(), groups_around.end());
+  groups_around.erase(std::unique(groups_around.begin(), groups_around.end()), groups_around.end());
+}
+
+void fit_again(const FlatSurface& surface, FlatGroup& group) {
+  const FittedPlane fitted = fit_plane(surface, group.triangles);
+  group.plane = fitted.plane;
+  group.area = fitted.area;
+  group.is_exact = fitted.is_exact;
+}
+
+std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,
+                                   std::span<const CornerConflict> conflicts) {
+  std::vector<std::uint32_t> released;
+  std::vector<std::uint32_t> changed;
+  const auto leave = [&](std::uint32_t t) {
+    groups.of_triangle[t] = kNone;
+    released.push_back(t);
+  };
+  for (const auto& [vertex, group] : conflicts) {
+    changed.push_back(group);
+    visit_fan(surface.triangles, surface.neighbours, surface.triangle_at[vertex], vertex,
+              [&, g = group](std::uint32_t t) {
+                if (groups.of_triangle[t] == g) leave(t);
+              });
+  }
+  std::sort(changed.begin(), changed.end());
+  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+  for (const std::uint32_t number : changed) {
+    std::vector<std::uint32_t>& members = groups.groups[number].triangles;
+    std::erase_if(members, [&](std::uint32_t t) { return groups.of_triangle[t] != number; });
+    if (members.size() >= 2) continue;
+    for (const std::uint32_t t : members) leave(t);
+    members.clear();
+  }
+  return released;
 }
 
 }  // namespace spoctree

@@ -8,8 +8,9 @@ namespace spoctree {
 /// Triangles that are to lie in one plane, connected or not.
 struct FlatGroup {
   GridPlane plane;
-  double area = 0;       ///< universe units
-  bool is_exact = true;  ///< the planes of all its triangles are equal to `plane` already
+  double area = 0;        ///< universe units
+  bool is_exact = true;   ///< the planes of all its triangles are equal to `plane` already
+  bool is_loose = false;  ///< the plane may move although they are
   std::vector<std::uint32_t> triangles;
 };
 
@@ -23,5 +24,24 @@ struct FlatGroups {
 /// single triangles far from each other lie in one plane within a tolerance says nothing about
 /// them: of the many small ones of a scan, some always do. n log n.
 FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance);
+
+/// A corner and a group around it on whose plane it cannot lie.
+struct CornerConflict {
+  std::uint32_t vertex;
+  std::uint32_t group;
+};
+
+/// Takes the triangles around the corners out of the groups. A group of which less than two are
+/// left falls apart; the planes of the others stay. Returns the triangles that are in no group any
+/// more. Linear in the triangles around the corners and in the groups.
+std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,
+                                   std::span<const CornerConflict> conflicts);
+
+/// Fills `groups_around` with the groups of the triangles around the vertex, in order.
+void collect_groups_around(const FlatSurface& surface, const FlatGroups& groups,
+                           std::uint32_t vertex, std::vector<std::uint32_t>& groups_around);
+
+/// Fits the group's plane to its triangles again.
+void fit_again(const FlatSurface& surface, FlatGroup& group);
 
 }  // namespace spoctree

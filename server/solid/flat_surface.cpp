@@ -91,6 +91,10 @@ FlatSurface make_flat_surface(std::span<const Vec3> vertices, std::span<const Co
   surface.distinct_planes = numbered.first.size();
   surface.areas.reserve(triangles.size());
   for (const Corners& t : triangles) surface.areas.push_back(area_of(t, surface.points));
+  surface.triangle_at.assign(vertices.size(), kNone);
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (const std::uint32_t v : triangles[t]) surface.triangle_at[v] = t;
+  }
   return surface;
 }
 

@@ -21,7 +21,8 @@ struct FlatSurface {
   std::vector<GridPlane> planes;             ///< of the triangles
   std::vector<std::uint32_t> plane_numbers;  ///< equal for triangles with equal planes
   std::size_t distinct_planes = 0;
-  std::vector<double> areas;  ///< of the triangles, universe units
+  std::vector<double> areas;               ///< of the triangles, universe units
+  std::vector<std::uint32_t> triangle_at;  ///< one of the triangles around each vertex
 };
 
 /// Linear, but for sorting. REQUIRES: vertices on the grid, no degenerate triangle.
@@ -44,8 +45,8 @@ struct NumberedPlanes {
 /// n log n.
 NumberedPlanes number_planes(std::span<const GridPlane> planes);
 
-/// Calls visit(t) for every triangle around the vertex of corner `corner` of `triangle`, in order.
-/// REQUIRES: the triangles around every vertex form one fan.
+/// Calls visit(t) for every triangle around `vertex`, a corner of `triangle`, which comes first, in
+/// order. REQUIRES: the triangles around every vertex form one fan.
 template <class Visit>
 void visit_fan(std::span<const Corners> triangles, std::span<const Corners> neighbours,
                std::uint32_t triangle, std::uint32_t vertex, Visit visit) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "server/solid/fit_jointly.hpp"
 #include "server/solid/mend_folds.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_corners.hpp"
@@ -28,7 +29,7 @@ class Merger {
         surface_(surface),
         boxes_(boxes),
         shells_(shells),
-        settler_(surface, find_flat_groups(surface, tolerance), kMostMoves * tolerance) {}
+        settler_(make_settler(surface, kMostMoves * tolerance, tolerance)) {}
 
   /// Nothing if it does not work out.
   std::optional<PlanarSurface> merge();
@@ -41,6 +42,7 @@ class Merger {
     std::vector<std::uint32_t> wrong;    // triangles that must not stay as they are
   };
 
+  static CornerSettler make_settler(const FlatSurface& surface, double most_move, double tolerance);
   Attempt attempt();
   void find_wrong(Attempt& attempt) const;
   void pin_corners(const std::vector<std::uint32_t>& triangles, bool spread);
@@ -52,6 +54,12 @@ class Merger {
   const ShellJudgement& shells_;
   CornerSettler settler_;
 };
+
+CornerSettler Merger::make_settler(const FlatSurface& surface, double most_move, double tolerance) {
+  FlatGroups groups = find_flat_groups(surface, tolerance);
+  JointFit fit = fit_jointly(surface, groups, most_move);
+  return {surface, std::move(groups), std::move(fit), most_move};
+}
 
 Merger::Attempt Merger::attempt() {
   settler_.settle();
@@ -76,7 +84,8 @@ Merger::Attempt Merger::attempt() {
         settler_.is_moved(c[0]) || settler_.is_moved(c[1]) || settler_.is_moved(c[2]);
     if (is_changed) made.changed.push_back(t);
     const std::uint32_t group = groups.of_triangle[t];
-    if (group != kNone && (is_changed || !groups.groups[group].is_exact)) suspects.push_back(t);
+    if (group == kNone) continue;
+    if (is_changed || !groups.groups[group].is_exact) suspects.push_back(t);
   }
   const std::vector<std::uint32_t> turned = mend_folds(made.surface, suspects);
   made.wrong = std::move(suspects);

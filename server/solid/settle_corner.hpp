@@ -17,7 +17,7 @@ struct CornerPlane {
 
 /// A corner within this of a plane counts as on it: it is what rounding planes and corners to the
 /// grid makes of one that is.
-inline constexpr long double kGridFlatness = 0x1p-50L;
+inline constexpr long double kGridFlatness = 0x1p-49L;
 
 /// The shortest way from the corner to a point that lies on all planes it reaches. Planes are tried
 /// in order; one is reached if the point that lies on it and on those before it (at most three that

@@ -3,41 +3,52 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/solid/fit_plane.hpp"
 #include "server/solid/settle_corner.hpp"
 
 namespace spoctree {
 
 namespace {
 
-// After so many rounds groups in conflict are given up as a whole.
-constexpr int kMostRounds = 40;
+// Of a plane above a point, in units of 2^-104.
+Int128 height_above(const GridPlane& plane, const GridPoint& point) {
+  return (static_cast<Int128>(plane.offset) << kGridBits) - plane.height(point);
+}
+
+bool is_on(const GridPlane& plane, const GridPoint& point) {
+  constexpr Int128 kMost = Int128{1} << (2 * kGridBits - 49);
+  static_assert(kGridFlatness == 0x1p-49L);
+  const Int128 height = height_above(plane, point);
+  return -kMost <= height && height <= kMost;
+}
 
 CornerPlane seen_from(const GridPlane& plane, const GridPoint& corner) {
   CornerPlane seen;
   for (std::size_t i = 0; i < 3; ++i) {
     seen.normal[i] = static_cast<long double>(plane.normal[i]) * 0x1p-52L;
   }
-  const Int128 height = (static_cast<Int128>(plane.offset) << kGridBits) - plane.height(corner);
-  seen.height = static_cast<long double>(height) * 0x1p-104L;
+  seen.height = static_cast<long double>(height_above(plane, corner)) * 0x1p-104L;
   return seen;
+}
+
+template <class Number>
+GridPoint moved(GridPoint point, const std::array<Number, 3>& way) {
+  for (std::size_t i = 0; i < 3; ++i) point[i] += std::llrint(way[i] * Number{0x1p52});
+  return point;
 }
 
 }  // namespace
 
-CornerSettler::CornerSettler(const FlatSurface& surface, FlatGroups groups, double most_move)
+CornerSettler::CornerSettler(const FlatSurface& surface, FlatGroups groups, JointFit fit,
+                             double most_move)
     : surface_(surface),
       groups_(std::move(groups)),
+      fit_(std::move(fit)),
       most_move_(most_move),
       points_(surface.points),
-      triangle_at_(surface.points.size(), kNone),
       is_pinned_(surface.points.size(), 0),
       is_touched_(surface.points.size(), 0) {
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    for (const std::uint32_t v : surface.triangles[t]) triangle_at_[v] = t;
-  }
   for (const FlatGroup& group : groups_.groups) {
-    if (group.is_exact) continue;
+    if (group.is_exact && !group.is_loose) continue;
     for (const std::uint32_t t : group.triangles) touch_corners(t);
   }
 }
@@ -55,65 +66,54 @@ void CornerSettler::pin(std::uint32_t vertex) {
   touch(vertex);
 }
 
-void CornerSettler::settle(std::uint32_t vertex, std::vector<Conflict>& conflicts) {
-  around_.clear();
-  visit_fan(surface_.triangles, surface_.neighbours, triangle_at_[vertex], vertex,
-            [&](std::uint32_t t) {
-              const std::uint32_t group = groups_.of_triangle[t];
-              if (group != kNone && (around_.empty() || around_.back() != group)) {
-                around_.push_back(group);
-              }
-            });
+bool CornerSettler::is_on_all_planes(const GridPoint& point) const {
+  return std::all_of(around_.begin(), around_.end(), [&](std::uint32_t group) {
+    return is_on(groups_.groups[group].plane, point);
+  });
+}
+
+bool CornerSettler::follow_joint_fit(std::uint32_t vertex) {
+  const auto& way = fit_.ways[vertex];
+  if (!(way[0] * way[0] + way[1] * way[1] + way[2] * way[2] < most_move_ * most_move_)) {
+    return false;
+  }
+  const GridPoint point = moved(surface_.points[vertex], way);
+  if (!is_on_all_planes(point)) return false;
+  points_[vertex] = point;
+  return true;
+}
+
+void CornerSettler::settle(std::uint32_t vertex, std::vector<CornerConflict>& conflicts) {
+  collect_groups_around(surface_, groups_, vertex, around_);
   std::sort(around_.begin(), around_.end(), [&](std::uint32_t g, std::uint32_t h) {
     const double area_g = groups_.groups[g].area;
     const double area_h = groups_.groups[h].area;
     return area_g != area_h ? area_g > area_h : g < h;
   });
-  around_.erase(std::unique(around_.begin(), around_.end()), around_.end());
-
   const GridPoint& corner = surface_.points[vertex];
   points_[vertex] = corner;
+  if (is_on_all_planes(corner)) return;
+  if (is_pinned_[vertex] != 0) {
+    for (const std::uint32_t group : around_) {
+      if (!is_on(groups_.groups[group].plane, corner)) conflicts.push_back({vertex, group});
+    }
+    return;
+  }
+  if (follow_joint_fit(vertex)) return;
   std::vector<CornerPlane> planes;
   planes.reserve(around_.size());
-  bool is_there = true;
   for (const std::uint32_t group : around_) {
     planes.push_back(seen_from(groups_.groups[group].plane, corner));
-    planes.back().is_reached = std::abs(planes.back().height) <= kGridFlatness;
-    is_there = is_there && planes.back().is_reached;
   }
-  if (!is_there && is_pinned_[vertex] == 0) {
-    const auto way = settle_corner(planes, static_cast<long double>(most_move_));
-    for (std::size_t i = 0; i < 3; ++i) points_[vertex][i] += std::llrint(way[i] * 0x1p52L);
-  }
+  points_[vertex] = moved(corner, settle_corner(planes, static_cast<long double>(most_move_)));
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!planes[i].is_reached) conflicts.push_back({vertex, around_[i]});
   }
 }
 
-void CornerSettler::release(std::uint32_t triangle) {
-  groups_.of_triangle[triangle] = kNone;
-  touch_corners(triangle);
-}
-
-void CornerSettler::fit_again(std::uint32_t number) {
-  FlatGroup& group = groups_.groups[number];
-  std::erase_if(group.triangles, [&](std::uint32_t t) { return groups_.of_triangle[t] != number; });
-  if (group.triangles.size() < 2) {
-    for (const std::uint32_t t : group.triangles) release(t);
-    group.triangles.clear();
-    return;
-  }
-  const FittedPlane fitted = fit_plane(surface_, group.triangles);
-  group.is_exact = fitted.is_exact;
-  if (fitted.plane == group.plane) return;
-  group.plane = fitted.plane;
-  for (const std::uint32_t t : group.triangles) touch_corners(t);
-}
-
 void CornerSettler::settle() {
-  std::vector<Conflict> conflicts;
-  std::vector<std::uint32_t> changed;
-  for (int round = 0; !touched_.empty(); ++round) {
+  std::vector<CornerConflict> conflicts;
+  while (!touched_.empty()) {
     conflicts.clear();
     std::sort(touched_.begin(), touched_.end());
     for (const std::uint32_t v : touched_) {
@@ -121,22 +121,7 @@ void CornerSettler::settle() {
       settle(v, conflicts);
     }
     touched_.clear();
-
-    changed.clear();
-    for (const auto& [vertex, group] : conflicts) {
-      changed.push_back(group);
-      if (round >= kMostRounds) {
-        for (const std::uint32_t t : groups_.groups[group].triangles) release(t);
-        continue;
-      }
-      visit_fan(surface_.triangles, surface_.neighbours, triangle_at_[vertex], vertex,
-                [&, g = group](std::uint32_t t) {
-                  if (groups_.of_triangle[t] == g) release(t);
-                });
-    }
-    std::sort(changed.begin(), changed.end());
-    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    for (const std::uint32_t group : changed) fit_again(group);
+    for (const std::uint32_t t : release(surface_, groups_, conflicts)) touch_corners(t);
   }
 }
 
