@@ -9,7 +9,6 @@ namespace spoctree {
 
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 // Half-edge 3 t + i runs from corner i of triangle t to the next. It is filed under its smaller
 // vertex; `other` is the larger one.
