@@ -6,6 +6,7 @@
 #include <fstream>
 #include <string>
 
+#include "common/wire/encode.hpp"
 #include "common/wire/messages.hpp"
 #include "common/wire/spo_writer.hpp"
 #include "tests/fuzz/soup_of_bytes.hpp"
@@ -114,7 +115,7 @@ void add_trees(Corpus& corpus) {
   const auto add = [&](const Octree& tree) {
     const std::string file = encode_spo(tree, source);
     corpus.add("fuzz_decode", "\x01" + file);
-    corpus.add("fuzz_decode", unsealed(file));
+    corpus.add("fuzz_decode", unsealed(encode_stream(tree, source)));
   };
   add(cube_tree());
   add(every_kind_tree());
