@@ -5,6 +5,7 @@
 
 #include "client/commands/commands.hpp"
 #include "common/base/errors.hpp"
+#include "common/base/interruption.hpp"
 #include "common/wire/decode.hpp"
 #include "common/wire/mapped_file.hpp"
 #include "common/wire/spo_file.hpp"
@@ -53,6 +54,19 @@ void receive(const FetchArguments& arguments, std::string_view held) {
   writer.commit();
 }
 
+/// With --resume, a signal is a broken transmission like others, and ends the program all the same.
+void receive_until_signal(const FetchArguments& arguments, std::string_view held) {
+  try {
+    std::optional<Interruption> interruption;
+    if (arguments.resume) interruption.emplace();
+    receive(arguments, held);
+  } catch (const NetworkError& error) {
+    if (!Interruption::is_requested()) throw;
+    std::fprintf(stderr, "spoctree-client: %s\n", error.what());
+  }
+  Interruption::go_on();
+}
+
 }  // namespace
 
 void run_fetch(const FetchArguments& arguments) {
@@ -60,14 +74,14 @@ void run_fetch(const FetchArguments& arguments) {
   std::string held;
   if (arguments.resume) held = held_frames(arguments.output, arguments.stream.last_level);
   try {
-    receive(arguments, held);
+    receive_until_signal(arguments, held);
   } catch (const Refusal& refusal) {
     const bool is_other_model =
         refusal.code() == ErrorCode::ChangedModel || refusal.code() == ErrorCode::BadOffset;
     if (held.empty() || !is_other_model) throw;
     std::fprintf(stderr, "spoctree-client: %s holds another model; receiving it anew\n",
                  arguments.output.c_str());
-    receive(arguments, {});
+    receive_until_signal(arguments, {});
   }
 }
 

@@ -1,11 +1,13 @@
 #include "client/net/connection.hpp"
 
+#include <algorithm>
 #include <boost/asio/buffer.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <optional>
 
 #include "common/base/errors.hpp"
+#include "common/base/interruption.hpp"
 
 namespace spoctree {
 
@@ -13,21 +15,30 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
+namespace {
+// How long a noted signal may go unnoticed here.
+constexpr std::chrono::milliseconds kSignalLatency{50};
+}  // namespace
+
 struct Connection::Impl {
   Impl(const Address& address, const ConnectionOptions& wanted)
       : options(wanted), name(to_text(address)), socket(io) {}
 
   [[noreturn]] void fail(const char* what, const error_code& error) const {
+    if (Interruption::is_requested()) throw NetworkError(name + ": interrupted");
     throw NetworkError(name + ": " + what + ": " + error.message());
   }
 
-  /// Lets the operation that was just started run until it sets `result` or `deadline` comes. False
-  /// when it had to be broken off.
+  /// Lets the operation that was just started run until it sets `result`, `deadline` comes or a
+  /// signal is noted. False when it had to be broken off.
   template <typename Cancel>
   bool wait(const std::optional<error_code>& result, std::chrono::steady_clock::time_point deadline,
             Cancel&& cancel) {
     io.restart();
-    while (!result && io.run_one_until(deadline) > 0) {
+    while (!result && !Interruption::is_requested()) {
+      const auto now = std::chrono::steady_clock::now();
+      if (now >= deadline) break;
+      io.run_one_until(std::min(deadline, now + kSignalLatency));
     }
     if (result) return true;
     cancel();

@@ -69,8 +69,9 @@ std::unique_ptr<ByteSource> open_source(const SourceName& source, GetRequest req
   return std::make_unique<RemoteSource>(model.server, request, rate);
 }
 
-std::vector<CatalogEntry> fetch_catalog(const Address& server) try {
-  Connection connection(server);
+std::vector<CatalogEntry> fetch_catalog(const Address& server,
+                                        std::chrono::milliseconds timeout) try {
+  Connection connection(server, {.idle_timeout = timeout});
   connection.write(seal_request(ListRequest{}));
   std::vector<CatalogEntry> entries;
   FrameReader frames;

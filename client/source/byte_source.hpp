@@ -1,6 +1,7 @@
 // The bytes of a stream, from a server or from a file.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,7 +47,12 @@ class ByteSource {
 std::unique_ptr<ByteSource> open_source(const SourceName& source, GetRequest request,
                                         std::uint64_t rate);
 
-/// The models of a server. Throws NetworkError; BadInput for an answer that is none.
-std::vector<CatalogEntry> fetch_catalog(const Address& server);
+/// How long a server may take over the next part of its catalog, which it has at hand.
+inline constexpr std::chrono::seconds kCatalogTimeout{10};
+
+/// The models of a server. Throws NetworkError, also when the server is silent for so long;
+/// BadInput for an answer that is none.
+std::vector<CatalogEntry> fetch_catalog(const Address& server,
+                                        std::chrono::milliseconds timeout = kCatalogTimeout);
 
 }  // namespace spoctree

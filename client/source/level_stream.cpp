@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "common/base/interruption.hpp"
+
 namespace spoctree {
 
 LevelStream::LevelStream(const StreamOptions& options, OnFrame on_frame, std::string_view held)
@@ -13,6 +15,7 @@ LevelStream::LevelStream(const StreamOptions& options, OnFrame on_frame, std::st
       on_frame_(std::move(on_frame)),
       throttle_(options.rate) {
   accept_held(held);
+  held_fraction_ = arrived_fraction();
   if (is_done()) return;
   open();
   if (decoder_.has_info()) check_last_level();
@@ -50,6 +53,7 @@ bool LevelStream::next_level() {
 }
 
 std::string_view LevelStream::read_bytes() {
+  if (Interruption::is_requested()) throw NetworkError(options_.source + ": interrupted");
   const std::string_view bytes =
       bytes_->read(std::min(frames_.missing_bytes(), throttle_.portion()));
   if (!bytes.empty()) return bytes;
@@ -127,7 +131,21 @@ void LevelStream::show_progress() {
     std::snprintf(text + used, sizeof text - static_cast<std::size_t>(used), ", error %.3g %%",
                   100 * error);
   }
-  line_.show(text);
+  // How many nodes there are in all levels is known, not how many bytes.
+  const double left_before = 1 - held_fraction_;
+  const std::string rest =
+      options_.last_level || left_before <= 0
+          ? duration_text(elapsed_.seconds())
+          : describe_progress((arrived_fraction() - held_fraction_) / left_before,
+                              elapsed_.seconds());
+  line_.show(std::string(text) + ", " + rest);
+}
+
+double LevelStream::arrived_fraction() const {
+  if (!decoder_.has_info()) return 0;
+  std::uint64_t nodes = decoder_.is_complete() ? 0 : decoder_.arrived_nodes();
+  for (const Level& level : tree().levels) nodes += level.size();
+  return static_cast<double>(nodes) / decoder_.info().node_count;
 }
 
 }  // namespace spoctree

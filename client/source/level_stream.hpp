@@ -13,6 +13,7 @@
 #include "client/source/source_name.hpp"
 #include "client/source/throttle.hpp"
 #include "common/program/progress_line.hpp"
+#include "common/program/remaining_time.hpp"
 #include "common/wire/decode.hpp"
 #include "common/wire/frame.hpp"
 
@@ -63,6 +64,7 @@ class LevelStream {
   bool is_done() const;
   std::uint32_t levels_there() const;
   void show_progress();
+  double arrived_fraction() const;
 
   StreamOptions options_;
   SourceName name_;
@@ -75,6 +77,8 @@ class LevelStream {
   std::chrono::steady_clock::time_point last_read_;
   bool may_reconnect_ = false;
   ProgressLine line_;
+  Elapsed elapsed_;
+  double held_fraction_ = 0;  ///< of all nodes, before anything was received
 };
 
 }  // namespace spoctree

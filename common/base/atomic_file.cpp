@@ -1,9 +1,11 @@
 #include "common/base/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -35,15 +37,19 @@ std::string unique_suffix() {
   static std::atomic<unsigned> count = 0;
   return ".tmp" + std::to_string(::getpid()) + "-" + std::to_string(count++);
 }
+
+/// The name that /proc has for an open file.
+std::string name_in_proc(int descriptor) { return "/proc/self/fd/" + std::to_string(descriptor); }
 }  // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path path)
+AtomicFile::AtomicFile(std::filesystem::path path, Storage storage)
     : path_(std::move(path)), target_(follow_links(path_)) {
   std::error_code ignored;
   const auto status = std::filesystem::status(target_, ignored);
   temporary_ = target_;
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) {
     temporary_ += unique_suffix();
+    if (storage == Storage::Unnamed && open_unnamed()) return;
     temporary_name_.emplace(temporary_.string());
   }
   file_ = std::fopen(temporary_.c_str(), "wb");
@@ -54,7 +60,31 @@ AtomicFile::~AtomicFile() {
   if (file_ == nullptr) return;
   std::fclose(file_);
   std::error_code ignored;
-  if (temporary_name_) std::filesystem::remove(temporary_, ignored);
+  if (has_temporary_name()) std::filesystem::remove(temporary_, ignored);
+}
+
+/// False where that cannot be, or where the name to come would be refused: the named way then says
+/// why.
+bool AtomicFile::open_unnamed() {
+  if (!target_.has_filename() || temporary_.filename().native().size() > NAME_MAX) return false;
+  const auto folder = target_.has_parent_path() ? target_.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (descriptor < 0) return false;
+  // Without /proc it could not be named later.
+  if (::access(name_in_proc(descriptor).c_str(), F_OK) == 0) {
+    file_ = ::fdopen(descriptor, "wb");
+  }
+  if (file_ == nullptr) ::close(descriptor);
+  is_unnamed_ = file_ != nullptr;
+  return is_unnamed_;
+}
+
+/// Under a temporary name, because a link cannot replace a file.
+bool AtomicFile::give_name() {
+  temporary_name_.emplace(temporary_.string());
+  is_unnamed_ = false;
+  return ::linkat(AT_FDCWD, name_in_proc(::fileno(file_)).c_str(), AT_FDCWD, temporary_.c_str(),
+                  AT_SYMLINK_FOLLOW) == 0;
 }
 
 void AtomicFile::write(std::string_view bytes) {
@@ -63,16 +93,21 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
-  const bool flushed = std::fflush(file_) == 0;
-  const bool closed = std::fclose(file_) == 0;
+  int reason = 0;
+  const auto succeeds = [&reason](bool done) {
+    if (!done && reason == 0) reason = errno;
+    return done;
+  };
+  bool is_good = succeeds(std::fflush(file_) == 0);
+  if (is_good && is_unnamed_) is_good = succeeds(give_name());
+  is_good = succeeds(std::fclose(file_) == 0) && is_good;
   file_ = nullptr;
-  std::error_code error;
-  if (flushed && closed && temporary_name_) std::filesystem::rename(temporary_, target_, error);
-  if (flushed && closed && !error) return;
-  if (error) errno = error.value();
-  const int reason = errno;
+  if (is_good && has_temporary_name()) {
+    is_good = succeeds(std::rename(temporary_.c_str(), target_.c_str()) == 0);
+  }
+  if (is_good) return;
   std::error_code ignored;
-  if (temporary_name_) std::filesystem::remove(temporary_, ignored);
+  if (has_temporary_name()) std::filesystem::remove(temporary_, ignored);
   errno = reason;
   fail(path_, "write");
 }

@@ -8,14 +8,12 @@ namespace spoctree {
 /// Fills the statement of every level of a complete tree.
 ///
 /// Inner volumes are the material in the leaves, outer ones add the regions of GREY nodes; inner
-/// areas are the boundary in the leaves, outer ones the whole boundary. The error bound
-/// of level k is an upper bound of the one-sided Hausdorff distance from T_k to the solid: T_k
-/// differs from the solid only in the GREY cells of level k, and a cell's piece Q is bounded by the
-/// largest distance of its corners from one triangle of the solid (the distance from a convex set
-/// is convex). The cells that this leaves in question are subdivided, best bound first, with
-/// distances from the whole solid, until the bound is within kErrorBoundRatio of a distance that is
-/// attained, or a limit of work is reached. Rounding is added to the bound.
-void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries);
+/// areas are the boundary in the leaves, outer ones the whole boundary. The error bound of level k
+/// is an upper bound of the one-sided Hausdorff distance from T_k to the solid: T_k differs from
+/// the solid only in the GREY regions of level k (level_survey.hpp, error_bound.hpp). In parallel;
+/// the same statements for any number of threads. O(nodes) clips, and a search per level.
+void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
+             const ProgressReport& progress = {});
 
 /// The bound is at most this times the true distance, unless the limit of work was reached.
 inline constexpr double kErrorBoundRatio = 1.1;

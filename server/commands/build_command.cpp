@@ -7,7 +7,6 @@
 #include "common/report/level_rows.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/spo_file.hpp"
-#include "common/wire/spo_writer.hpp"
 #include "server/commands/build_progress.hpp"
 #include "server/commands/describe_solid.hpp"
 
@@ -38,9 +37,8 @@ void run_build(const BuildArguments& arguments) {
   ProgressLine line;
   const Model model =
       build_model(arguments.mesh, arguments.options, show_progress(line, arguments.mesh));
-  const std::string bytes = encode_spo(model.tree, model.source);
-  const SpoFile file(bytes, arguments.output);
-  write_output(arguments.output, bytes);
+  const SpoFile file(model.spo, arguments.output);
+  write_output(arguments.output, model.spo);
   line.clear();
   const std::string summary = summarize(arguments, model, file);
   if (arguments.output == "-") {

@@ -9,6 +9,7 @@
 #include "common/tree/validate.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/mapped_file.hpp"
+#include "common/wire/spo_writer.hpp"
 #include "server/build/build_octree.hpp"
 #include "server/build/certify.hpp"
 #include "server/mesh/read_mesh.hpp"
@@ -43,15 +44,39 @@ SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions
   return source;
 }
 
+/// The steps of a build. The shares are those of a million faces on two cores.
+struct Step {
+  const char* name;
+  double begin;
+  double end;
+};
+constexpr Step kReading{"reading", 0, 0.04};
+constexpr Step kJudging{"judging", kReading.end, 0.24};
+constexpr Step kBuilding{"building", kJudging.end, 0.80};
+constexpr Step kCertifying{"certifying", kBuilding.end, 0.92};
+constexpr Step kEncoding{"encoding", kCertifying.end, 1};
+
+ProgressReport report_of(const Step& step, const BuildProgress& progress) {
+  return [&step, &progress](double fraction) {
+    progress(step.name, step.begin + fraction * (step.end - step.begin));
+  };
+}
+
 // Reads and judges the faces, repaired if that is wanted.
 Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
-                 std::vector<std::string>& changes) {
+                 const BuildProgress& progress, std::vector<std::string>& changes) {
+  progress(kReading.name, kReading.begin);
   PolygonSoup soup = read_mesh(mesh);
   if (soup.collapsed.count > 0) {
     changes.push_back("dropped: " + std::to_string(soup.collapsed.count) +
                       " faces with fewer than three different corners, the first is face " +
                       std::to_string(soup.collapsed.first) + " (counted from 0)");
   }
+  ImportOptions import_options;
+  import_options.flat_tolerance = options.flat_tolerance;
+  import_options.turn_shells = options.repair;
+  import_options.progress = report_of(kJudging, progress);
+  import_options.progress(0);
   std::string refusals;
   if (options.repair) {
     Repair repaired = repair(std::move(soup));
@@ -65,9 +90,6 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   // Of the file itself it need not be true any more.
   std::string name = mesh.string();
   if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
-  ImportOptions import_options;
-  import_options.flat_tolerance = options.flat_tolerance;
-  import_options.turn_shells = options.repair;
   try {
     return import_solid(soup, name, import_options);
   } catch (const BadInput& error) {
@@ -81,34 +103,33 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
                   const BuildProgress& progress) {
   Model model;
   Stopwatch stopwatch;
-  progress("reading and judging", 0);
-  const Solid solid = read_solid(mesh, options, model.changes);
-  model.source = describe_source(mesh, options);
+  const Solid solid = read_solid(mesh, options, progress, model.changes);
   model.report = solid.report;
   model.plane_count = solid.planes.size();
   model.volume = solid.volume;
   model.import_seconds = stopwatch.lap();
 
-  progress("building", 0);
-  const SolidQueries queries(solid);
   BuildOptions build_options;
   build_options.rules.max_depth = options.max_depth;
   build_options.rules.leaf_planes = options.leaf_planes;
-  build_options.progress = [&progress](double fraction) { progress("building", fraction); };
+  build_options.progress = report_of(kBuilding, progress);
+  build_options.progress(0);
+  const SolidQueries queries(solid);
   BuiltOctree built = build_octree(solid, queries, build_options);
   model.build_seconds = stopwatch.lap();
 
-  progress("certifying", 0);
-  certify(built, solid, queries);
+  certify(built, solid, queries, report_of(kCertifying, progress));
   model.certify_seconds = stopwatch.lap();
 
   model.depth_limited_nodes = built.depth_limited_nodes;
   model.tree = std::move(built.tree);
+  progress(kEncoding.name, kEncoding.begin);
   const auto broken = validate(model.tree, 1);
   if (!broken.empty()) {
     throw std::logic_error(mesh.string() + ": the program has built an invalid tree (" +
                            broken.front() + "): please report this");
   }
+  model.spo = encode_spo(model.tree, describe_source(mesh, options));
   return model;
 }
 

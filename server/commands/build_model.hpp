@@ -9,7 +9,6 @@
 
 #include "common/geometry/tolerances.hpp"
 #include "common/tree/octree.hpp"
-#include "common/wire/stream_info.hpp"
 #include "server/solid/solid.hpp"
 
 namespace spoctree {
@@ -28,7 +27,7 @@ struct ModelOptions {
 /// What came of a mesh file.
 struct Model {
   Octree tree;
-  SourceInfo source;
+  std::string spo;                   ///< the .spo file's bytes
   std::vector<std::string> changes;  ///< what was done to the file's faces, a line each
   SolidReport report;
   std::size_t plane_count = 0;  ///< of the solid, after merging
@@ -39,11 +38,12 @@ struct Model {
   double certify_seconds = 0;
 };
 
-/// Called with what is being done and the fraction of it that is done.
+/// Called with what is being done, and about how much of the whole time has passed; by any thread,
+/// one at a time.
 using BuildProgress = std::function<void(const char* step, double fraction)>;
 
-/// Reads, judges and builds. The same model for the same file and options, seconds apart. Throws
-/// BadInput as read_mesh and import_solid do.
+/// Reads, judges, builds and encodes. The same model for the same file and options, seconds apart.
+/// Throws BadInput as read_mesh and import_solid do.
 Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
                   const BuildProgress& progress);
 

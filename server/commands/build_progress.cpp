@@ -2,13 +2,17 @@
 
 #include <string>
 
+#include "common/program/remaining_time.hpp"
+
 namespace spoctree {
 
 BuildProgress show_progress(ProgressLine& line, const std::filesystem::path& mesh) {
-  return [&line, name = mesh.filename().string()](const char* step, double fraction) {
+  return [&line, name = mesh.filename().string(), elapsed = Elapsed(), shown = std::string()](
+             const char* step, double fraction) mutable {
     // A new step is shown at once, its progress now and then.
-    if (fraction > 0 && !line.wants_text()) return;
-    line.show(name + ": " + step + " " + std::to_string(static_cast<int>(100 * fraction)) + " %");
+    if (shown == step && !line.wants_text()) return;
+    shown = step;
+    line.show(name + ": " + step + " " + describe_progress(fraction, elapsed.seconds()));
   };
 }
 

@@ -8,7 +8,8 @@
 
 namespace spoctree {
 
-/// Shows "MESH: building 42 %" on `line`, which must outlive the result; of `mesh` the name alone.
+/// Shows "MESH: building 42 %, 3 s, 4 s left" on `line`, which must outlive the result; of `mesh`
+/// the name alone.
 BuildProgress show_progress(ProgressLine& line, const std::filesystem::path& mesh);
 
 }  // namespace spoctree

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 
 #include "common/base/errors.hpp"
 #include "common/program/output.hpp"
 #include "common/program/progress_line.hpp"
 #include "common/wire/address.hpp"
-#include "common/wire/spo_writer.hpp"
 #include "server/commands/build_progress.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/net/log.hpp"
@@ -29,8 +29,8 @@ void add_model(ModelStore& store, const fs::path& path, const ModelOptions& opti
   if (is_spo(path)) return store.add_file(name, path);
   store.check_name(name, path.string());
   ProgressLine line;
-  const Model model = build_model(path, options, show_progress(line, path));
-  store.add_bytes(name, path.string(), encode_spo(model.tree, model.source));
+  Model model = build_model(path, options, show_progress(line, path));
+  store.add_bytes(name, path.string(), std::move(model.spo));
 }
 
 // A .spo file stands for the mesh of the same name that it was built from.

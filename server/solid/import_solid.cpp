@@ -96,16 +96,24 @@ Solid make_solid(PlanarSurface surface, SolidReport report) {
 
 Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options) {
   assert(options.flat_tolerance >= 0 && options.flat_tolerance < 0.1);
+  const auto report_progress = [&options](double fraction) {
+    if (options.progress) options.progress(fraction);
+  };
   SolidReport report;
   GridMesh mesh = place_on_grid(soup.points, name);
   triangulate(soup, mesh, report);
   std::vector<Corners> neighbours = find_neighbours(mesh);
+  report_progress(0.25);
 
   const BoxTree boxes = box_tree_of(mesh.vertices, mesh.triangles);
+  report_progress(0.4);
   reject_self_intersections(mesh, boxes);
+  report_progress(0.6);
   ShellJudgement shells = judge_nesting(mesh, neighbours, boxes, options.turn_shells, report);
   report.was_turned = shells.is_inside_out();
   if (report.was_turned) turn(mesh.triangles, neighbours, shells);
+
+  report_progress(0.7);
 
   const double tolerance = options.flat_tolerance * mesh.box_diagonal;
   return make_solid(merge_faces(std::move(mesh), std::move(neighbours), boxes, shells, tolerance),

@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "common/base/progress_meter.hpp"
 #include "common/geometry/tolerances.hpp"
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/solid.hpp"
@@ -17,6 +18,8 @@ struct ImportOptions {
   /// Shells that face the wrong way for how they nest (an inside-out part, an outside-out cavity)
   /// are turned instead of refused (report.turned_shells).
   bool turn_shells = false;
+  /// Told about how much of the work is done, between its steps.
+  ProgressReport progress = {};
 };
 
 /// The solid that the faces bound. They may be polygons, convex or not, even or not; the surface

@@ -232,20 +232,22 @@ TEST_F(Client, ResumeKeepsTheWholeLevelsOfAnInterruptedTransmission) {
   EXPECT_EQ(read_file(path), spo_);
 }
 
-TEST_F(Client, CtrlCLeavesNoTemporaryFile) {
-  TemporaryFolder output;
-  std::atomic<bool> is_under_way = false;
-  FakeServer server([&](Socket socket) {
-    receive_request(socket);
-    socket.send(file_.frames().substr(0, 1000));
-    is_under_way = true;
-    socket.receive();  // until the client is gone
-  });
-  Program client(SPOCTREE_CLIENT_PROGRAM, {"fetch", server.url(), "-o", output.file("out.spo")});
-  ASSERT_TRUE(wait_until([&] { return is_under_way && !output.entries().empty(); }));
-  client.send(SIGINT);
-  EXPECT_EQ(client.wait().code, -SIGINT);
-  EXPECT_EQ(output.entries(), std::vector<std::string>{});
+TEST_F(Client, NoSignalLeavesATemporaryFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGKILL}) {
+    TemporaryFolder output;
+    std::atomic<bool> is_under_way = false;
+    FakeServer server([&](Socket socket) {
+      receive_request(socket);
+      socket.send(file_.frames().substr(0, 1000));
+      is_under_way = true;  // the output was opened before the request was sent
+      socket.receive();     // until the client is gone
+    });
+    Program client(SPOCTREE_CLIENT_PROGRAM, {"fetch", server.url(), "-o", output.file("out.spo")});
+    ASSERT_TRUE(wait_until([&] { return is_under_way.load(); }));
+    client.send(signal);
+    EXPECT_EQ(client.wait().code, -signal);
+    EXPECT_EQ(output.entries(), std::vector<std::string>{});
+  }
 }
 
 TEST_F(Client, AServerThatSpeaksNonsenseIsBadInput) {

@@ -88,6 +88,12 @@ TEST_F(Limits, AClientGivesUpOnAServerThatTakesNothing) {
   EXPECT_THROW(connection.write(much), NetworkError);
 }
 
+TEST_F(Limits, ACatalogThatDoesNotComeIsGivenUp) {
+  FakeServer server([&](Socket socket) { socket.receive(); });
+  const SourceName source = parse_source(server.url());
+  EXPECT_THROW(fetch_catalog(std::get<RemoteModel>(source).server, milliseconds(50)), NetworkError);
+}
+
 TEST_F(Limits, AHostThatDoesNotExistIsANetworkError) {
   EXPECT_THROW(Connection(Address{"no-such-host.invalid", 1}), NetworkError);
 }

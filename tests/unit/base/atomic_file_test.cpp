@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <string>
@@ -90,6 +91,46 @@ TEST_F(AtomicFileTest, ReplacesTheFileThatALinkPointsTo) {
   EXPECT_TRUE(fs::is_symlink(directory / "early"));
   EXPECT_EQ(contents(directory / "other"), "new");
   EXPECT_EQ(entries(), 4u);
+}
+
+TEST_F(AtomicFileTest, IsTheSameUnderATemporaryName) {
+  for (const auto storage : {AtomicFile::Storage::Unnamed, AtomicFile::Storage::Named}) {
+    const fs::path path = directory / "file";
+    {
+      AtomicFile file(path, storage);
+      file.write("half");
+    }
+    EXPECT_EQ(entries(), 0u);
+    for (const char* const bytes : {"old", "new"}) {
+      AtomicFile file(path, storage);
+      file.write(bytes);
+      file.commit();
+      EXPECT_EQ(contents(path), bytes);
+    }
+    EXPECT_EQ(entries(), 1u);
+    struct stat status {};
+    ASSERT_EQ(::stat(path.c_str(), &status), 0);
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    EXPECT_EQ(status.st_mode & 0777, 0666 & ~mask);
+    fs::remove(path);
+  }
+}
+
+TEST_F(AtomicFileTest, SignalsLeaveNoTemporaryName) {
+  for (const auto storage : {AtomicFile::Storage::Unnamed, AtomicFile::Storage::Named}) {
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+      EXPECT_EXIT(
+          {
+            remove_temporary_files_on_signals();
+            AtomicFile file(directory / "file", storage);
+            file.write("half");
+            std::raise(signal);
+          },
+          testing::KilledBySignal(signal), "");
+      EXPECT_EQ(entries(), 0u);
+    }
+  }
 }
 
 TEST_F(AtomicFileTest, NamesThePathAndTheReasonWhereTheDirectoryFails) {

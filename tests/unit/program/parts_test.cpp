@@ -8,6 +8,7 @@
 #include "client/source/source_name.hpp"
 #include "client/source/throttle.hpp"
 #include "common/base/errors.hpp"
+#include "common/program/remaining_time.hpp"
 #include "common/report/json_text.hpp"
 #include "common/report/level_rows.hpp"
 #include "common/report/text_table.hpp"
@@ -111,6 +112,24 @@ TEST(Throttle, GivesPortionsOfATwentiethOfASecond) {
   EXPECT_EQ(Throttle(2000).portion(), 100U);
   EXPECT_EQ(Throttle(1).portion(), 1U);
   EXPECT_GT(Throttle(0).portion(), std::size_t{1} << 30);
+}
+
+TEST(RemainingTime, ReadsLikeAClock) {
+  EXPECT_EQ(duration_text(0), "0 s");
+  EXPECT_EQ(duration_text(59.4), "59 s");
+  EXPECT_EQ(duration_text(59.6), "1:00 min");
+  EXPECT_EQ(duration_text(3599), "59:59 min");
+  EXPECT_EQ(duration_text(3600), "1:00 h");
+  EXPECT_EQ(duration_text(1e300), "99:00 h");
+}
+
+TEST(RemainingTime, GoesOnAsFastAsSoFar) {
+  EXPECT_EQ(describe_progress(0, 0), "  0 %, 0 s");
+  EXPECT_EQ(describe_progress(0.001, 5), "  0 %, 5 s");
+  EXPECT_EQ(describe_progress(0.25, 10), " 25 %, 10 s, 30 s left");
+  EXPECT_EQ(describe_progress(0.1, 60), " 10 %, 1:00 min, 9:00 min left");
+  EXPECT_EQ(describe_progress(1, 10), "100 %, 10 s, 0 s left");
+  EXPECT_EQ(describe_progress(1.5, 10), "100 %, 10 s, 0 s left");
 }
 
 }  // namespace
