@@ -7,6 +7,7 @@
 #include "client/commands/commands.hpp"
 #include "common/base/errors.hpp"
 #include "common/program/run_program.hpp"
+#include "common/program/threads.hpp"
 
 namespace {
 
@@ -107,7 +108,9 @@ int main(int argc, char** argv) {
   rebuild_command.add_option("-o,--output", rebuild.output, "an OFF file; - is standard output")
       ->required();
   rebuild_command.add_option("--level", rebuild_level, "which level; left out: the last one");
+  ThreadsOption rebuild_threads(rebuild_command);
   rebuild_command.callback([&] {
+    rebuild_threads.apply();
     if (!rebuild_level.empty()) rebuild.stream.last_level = parse_level(rebuild_level);
     run_rebuild(rebuild);
   });
@@ -135,7 +138,9 @@ int main(int argc, char** argv) {
       .add_option("--format", draw.format,
                   "svg or json; left out: as the output's extension says, or else svg")
       ->check(CLI::IsMember({"svg", "json"}));
+  ThreadsOption draw_threads(draw_command);
   draw_command.callback([&] {
+    draw_threads.apply();
     draw.all_levels = draw_level == "all";
     if (!draw_level.empty() && !draw.all_levels) draw.stream.last_level = parse_level(draw_level);
     run_draw(draw);

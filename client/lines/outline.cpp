@@ -71,7 +71,7 @@ void OutlineFinder::find(const Polyhedron& piece, std::vector<Vec2>& outline) {
     if (facing(face.plane) <= 0) continue;
     const auto loop = piece.loop(face);
     for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (facing(loop[k].across) > 0) continue;
+      if (facing(piece.plane_across(loop[k])) > 0) continue;
       start = loop[k].vertex;
       next_[start] = loop[k + 1 == loop.size() ? 0 : k + 1].vertex;
     }

@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <cmath>
+#include <stdexcept>
 
 namespace spoctree {
 
@@ -51,35 +52,59 @@ bool is_same_plane(const Plane& p, const Plane& q) {
 
 Carriers::Carriers(const Octree& tree) : planes_(tree.plane_set()) {
   const auto count = static_cast<std::uint32_t>(tree.planes.size());
+  if (count >= kFirstWall) throw std::length_error("rebuild: too many planes");
   carriers_.reserve(count);
   table_sides_.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) table_sides_.push_back(add(PlaneRef::of_table(i)));
+  by_shape_.reserve(count);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    table_sides_.push_back(add_of_table(PlaneRef::of_table(i)));
+  }
+  for (std::uint32_t carrier = 0; carrier < carriers_.size(); ++carrier) find_wall(carrier);
 }
 
-CarrierSide Carriers::side_of_wall(PlaneRef wall) {
-  const std::uint32_t known = walls_.find(wall.code(), [](std::uint32_t) { return true; });
-  if (known != FlatIndex::kNone) return known;
-  const CarrierSide side = add(wall);
-  walls_.insert(wall.code(), side);
-  return side;
-}
-
-CarrierSide Carriers::add(PlaneRef ref) {
+CarrierSide Carriers::add_of_table(PlaneRef ref) {
   const Plane plane = planes_[ref];
   const std::uint64_t hash = shape_hash(plane);
   const std::uint32_t same = by_shape_.find(
       hash, [&](std::uint32_t carrier) { return is_same_plane(carriers_[carrier].plane, plane); });
   if (same == FlatIndex::kNone) {
     const auto carrier = static_cast<std::uint32_t>(carriers_.size());
-    carriers_.push_back({plane, {ref, ref.flipped()}});
+    carriers_.push_back({plane, {ref, ref.flipped()}, false});
     by_shape_.insert(hash, carrier);
     return 2 * carrier;
   }
   Carrier& carrier = carriers_[same];
   const int axis = main_axis(plane);
   const std::uint32_t side = plane.normal[axis] * carrier.plane.normal[axis] < 0 ? 1 : 0;
-  if (carrier.names[side].is_flipped() && !ref.is_wall()) carrier.names[side] = ref;
+  if (carrier.names[side].is_flipped()) carrier.names[side] = ref;
   return 2 * same + side;
+}
+
+/// Finds the cell wall that a plane of the table lies in, if any.
+void Carriers::find_wall(std::uint32_t carrier) {
+  const Plane& plane = carriers_[carrier].plane;
+  const int axis = main_axis(plane);
+  if (plane.normal[(axis + 1) % 3] != 0 || plane.normal[(axis + 2) % 3] != 0) return;
+  const double at = plane.offset / plane.normal[axis];
+  const double index = std::nearbyint((at / planes_.half_side() + 1) * 0x1p29);
+  if (!(index >= 0 && index <= 0x1p30)) return;
+  const PlaneRef wall = PlaneRef::of_wall(axis, static_cast<std::uint32_t>(index));
+  if (!is_same_plane(plane, planes_[wall])) return;
+  walls_in_table_.insert(wall.code(), carrier);
+  carriers_[carrier].is_wall = true;
+}
+
+std::uint32_t Carriers::carrier_of(std::uint32_t number) {
+  if (number < kFirstWall) return number;
+  const std::uint32_t known = other_walls_.find(number);
+  if (known != FlatIndex::kNone) return known;
+  const std::uint32_t wall = number - kFirstWall;
+  const PlaneRef ref =
+      PlaneRef::of_wall(static_cast<int>(wall / kWallsPerAxis), wall % kWallsPerAxis);
+  const auto carrier = static_cast<std::uint32_t>(carriers_.size());
+  carriers_.push_back({planes_[ref], {ref, ref.flipped()}, true});
+  other_walls_.insert(number, carrier);
+  return carrier;
 }
 
 }  // namespace spoctree

@@ -1,6 +1,7 @@
 // A hash table for inner loops: 64-bit keys to 32-bit values, in one flat array.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -21,15 +22,21 @@ class FlatIndex {
 
   FlatIndex() : slots_(64) {}
 
+  bool empty() const { return filled_ == 0; }
+
+  /// Makes room for so many entries at once.
+  void reserve(std::size_t count) {
+    if (2 * count > slots_.size()) rehash(std::bit_ceil(2 * count));
+  }
+
   void insert(std::uint64_t key, std::uint32_t value) {
-    if (2 * ++filled_ > slots_.size()) {
-      std::vector<Slot> old(2 * slots_.size());
-      old.swap(slots_);
-      for (const Slot& slot : old) {
-        if (slot.value != kNone) place(slot);
-      }
-    }
+    if (2 * ++filled_ > slots_.size()) rehash(2 * slots_.size());
     place({key, value});
+  }
+
+  /// The first value under `key`, or kNone.
+  std::uint32_t find(std::uint64_t key) const {
+    return find(key, [](std::uint32_t) { return true; });
   }
 
   /// The first value under `key` that `accept(value)` takes, or kNone.
@@ -47,6 +54,13 @@ class FlatIndex {
     std::uint32_t value = kNone;
   };
 
+  void rehash(std::size_t size) {
+    std::vector<Slot> old(size);
+    old.swap(slots_);
+    for (const Slot& slot : old) {
+      if (slot.value != kNone) place(slot);
+    }
+  }
   std::size_t start_of(std::uint64_t key) const { return mix_bits(key) & (slots_.size() - 1); }
   std::size_t next(std::size_t i) const { return (i + 1) & (slots_.size() - 1); }
   void place(Slot slot) {

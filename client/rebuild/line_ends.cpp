@@ -1,120 +1,82 @@
 #include "client/rebuild/line_ends.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
+#include <tbb/parallel_for.h>
 
-#include "client/rebuild/line_end_sum.hpp"
-#include "common/tree/pieces.hpp"
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+#include "common/geometry/predicates.hpp"
 
 namespace spoctree {
 
 namespace {
 
-class Collector : public PieceVisitor {
- public:
-  Collector(const Octree& tree, Carriers& carriers, VertexWelder& welder)
-      : half_side_(tree.universe.half_side), carriers_(carriers), welder_(welder) {}
+/// What one corner says on its three lines; `vertex` is the corner's. From three faces in
+/// counter-clockwise order, the edge of the first on the line with the second ends in the corner.
+void append_ends(const CornerCount& corner, const std::uint32_t (&carriers)[3],
+                 std::uint32_t vertex, std::vector<LineEnd>& ends) {
+  for (int i = 0; i < 3; ++i) {
+    const std::uint32_t a = carriers[i];
+    const std::uint32_t b = carriers[(i + 1) % 3];
+    ends.push_back(a < b ? LineEnd{a, b, vertex, corner.count}
+                         : LineEnd{b, a, vertex, -corner.count});
+  }
+}
 
-  void piece(const NodeAddress& node, NodeKind kind, std::uint32_t,
-             const Polyhedron& piece) override {
-    positions_.clear();
-    for (const PolyhedronVertex& vertex : piece.vertices) positions_.push_back(vertex.position);
-    welder_.weld(positions_, ids_);
-    name_faces(piece);
-    // A node of one piece has nothing to cancel in itself.
-    const bool is_alone = kind != NodeKind::Concave && kind != NodeKind::Vertex;
-    LineEndSum& sum = sums_[is_alone ? node.level : node.level + 1];
-    for (std::size_t f = 0; f < piece.faces.size(); ++f) {
-      const CarrierSide side = sides_[f];
-      std::uint8_t& known_sides = result_.sides[side >> 1];
-      known_sides = static_cast<std::uint8_t>(known_sides | (1u << (side & 1)));
-      const std::uint32_t carrier = side >> 1;
-      const auto loop = piece.loop(piece.faces[f]);
-      for (std::size_t k = 0; k < loop.size(); ++k) {
-        // Each edge once, from one of its faces.
-        if (loop[k].across < piece.faces[f].plane) continue;
-        const std::uint32_t across = carrier_of(piece, loop[k].across);
-        std::uint32_t from = ids_[loop[k].vertex];
-        std::uint32_t to = ids_[loop[k + 1 == loop.size() ? 0 : k + 1].vertex];
-        if (from == to) continue;
-        if (carrier > across) std::swap(from, to);
-        const std::uint32_t low = std::min(carrier, across);
-        const std::uint32_t high = std::max(carrier, across);
-        sum.add(low, high, from, -1);
-        sum.add(low, high, to, 1);
-      }
+/// Sorts the ends of one vertex and adds up those on one line.
+void sum_up(std::vector<LineEnd>& ends, std::vector<LineEnd>& result) {
+  std::sort(ends.begin(), ends.end(), [](const LineEnd& e, const LineEnd& f) {
+    return std::tie(e.low, e.high) < std::tie(f.low, f.high);
+  });
+  for (std::size_t i = 0; i < ends.size();) {
+    LineEnd sum = ends[i];
+    for (++i; i < ends.size() && ends[i].low == sum.low && ends[i].high == sum.high; ++i) {
+      sum.count += ends[i].count;
     }
+    if (sum.count != 0) result.push_back(sum);
   }
-
-  void leave(const NodeAddress& node) override {
-    // Ends inside the cell are final; those on its walls may meet others.
-    double lower[3];
-    double upper[3];
-    for (int axis = 0; axis < 3; ++axis) {
-      const double margin = 4 * welder_.tolerance();
-      lower[axis] = wall_coordinate(half_side_, node.lower[axis]) + margin;
-      upper[axis] = wall_coordinate(half_side_, node.lower[axis] + node.size()) - margin;
-    }
-    LineEndSum& outer = sums_[node.level];
-    sums_[node.level + 1].flush([&](const LineEnd& end) {
-      const Vec3 p = welder_.vertices()[end.vertex];
-      const bool is_inside = p.x > lower[0] && p.x < upper[0] && p.y > lower[1] && p.y < upper[1] &&
-                             p.z > lower[2] && p.z < upper[2];
-      if (is_inside) {
-        result_.ends.push_back(end);
-      } else {
-        outer.add(end.low, end.high, end.vertex, end.count);
-      }
-    });
-  }
-
-  LineEnds take() {
-    sums_[0].flush([&](const LineEnd& end) { result_.ends.push_back(end); });
-    return std::move(result_);
-  }
-
- private:
-  void name_faces(const Polyhedron& piece) {
-    sides_.clear();
-    for (const Polyhedron::Face& face : piece.faces) {
-      sides_.push_back(carriers_.side_of(face.plane));
-    }
-    result_.sides.resize(carriers_.count());
-  }
-
-  /// Every plane across an edge is that of a face.
-  std::uint32_t carrier_of(const Polyhedron& piece, PlaneRef plane) {
-    constexpr std::size_t kFew = 12;
-    if (piece.faces.size() <= kFew) {
-      for (std::size_t f = 0; f < piece.faces.size(); ++f) {
-        if (piece.faces[f].plane == plane) return sides_[f] >> 1;
-      }
-    }
-    return carriers_.side_of(plane) >> 1;
-  }
-
-  const double half_side_;
-  Carriers& carriers_;
-  VertexWelder& welder_;
-  LineEnds result_;
-  /// sums_[0] for the whole tree, sums_[k + 1] for the node of level k that is being visited.
-  std::array<LineEndSum, kMaxDepth + 2> sums_;
-  std::vector<Vec3> positions_;
-  std::vector<std::uint32_t> ids_;
-  std::vector<CarrierSide> sides_;
-};
+}
 
 }  // namespace
 
-LineEnds collect_line_ends(const Octree& tree, std::uint32_t level, Carriers& carriers,
-                           VertexWelder& welder) {
-  Collector collector(tree, carriers, welder);
-  WalkOptions options;
-  options.level = level;
-  walk_pieces(tree, options, collector);
-  return collector.take();
+std::vector<LineEnd> find_line_ends(std::span<const CornerCount> corners, Carriers& carriers,
+                                    VertexWelder& welder) {
+  struct Planes {
+    std::uint32_t carriers[3];
+  };
+  std::vector<Planes> planes(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (int k = 0; k < 3; ++k) planes[i].carriers[k] = carriers.carrier_of(corners[i].planes[k]);
+  }
+  std::vector<Vec3> points(corners.size());
+  tbb::parallel_for(std::size_t{0}, corners.size(), [&](std::size_t i) {
+    const auto& p = planes[i].carriers;
+    points[i] = intersection_point(carriers.plane(p[0]), carriers.plane(p[1]), carriers.plane(p[2]))
+                    .position;
+  });
+  std::vector<std::uint32_t> vertices;
+  welder.weld(points, vertices);
+
+  // The corners again, vertex by vertex.
+  std::vector<std::uint32_t> begin(welder.vertices().size() + 1);
+  for (const std::uint32_t vertex : vertices) ++begin[vertex + 1];
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<std::uint32_t> sorted(corners.size());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t i = 0; i < corners.size(); ++i) sorted[next[vertices[i]]++] = i;
+
+  std::vector<LineEnd> result;
+  result.reserve(3 * corners.size());
+  std::vector<LineEnd> here;
+  for (std::uint32_t vertex = 0; vertex + 1 < begin.size(); ++vertex) {
+    here.clear();
+    for (std::uint32_t k = begin[vertex]; k < begin[vertex + 1]; ++k) {
+      append_ends(corners[sorted[k]], planes[sorted[k]].carriers, vertex, here);
+    }
+    sum_up(here, result);
+  }
+  return result;
 }
 
 }  // namespace spoctree

@@ -1,18 +1,19 @@
-// Pieces -> on every line in which two planes meet, where the edges of their faces begin and end.
+// Corners of the boundary -> on every line in which two planes meet, where edges begin and end.
 //
 // What counts on a line is the sum of the edges there, and a sum of intervals of one line is known
-// from their ends alone: [a, b] + [b, c] = [a, c], whatever the order of a, b and c. So every piece
-// says for each corner of its faces "here an edge on this line ends, here one begins", and almost
-// everything cancels: the faces that two pieces share, the splits of a node, cell walls across a
-// flat face, and the walls that a crease passes straight through.
+// from their ends alone: [a, b] + [b, c] = [a, c], whatever the order of a, b and c. A corner says
+// on each of its three lines "here an edge ends", or begins. In a vertex of the solid with more
+// than three planes, the rounded planes meet in a cluster of corners: they become one vertex, and
+// what they say on the same line cancels.
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "client/rebuild/carriers.hpp"
+#include "client/rebuild/corner_sum.hpp"
 #include "client/rebuild/vertex_welder.hpp"
-#include "common/tree/octree.hpp"
 
 namespace spoctree {
 
@@ -27,15 +28,9 @@ struct LineEnd {
   std::int32_t count = 0;
 };
 
-struct LineEnds {
-  std::vector<LineEnd> ends;  ///< not all different
-  /// Per carrier the sides on which pieces have faces: bit 0 and bit 1.
-  std::vector<std::uint8_t> sides;
-};
-
-/// The ends of all edges of the pieces of T_level. What cancels within a cell is summed up there,
-/// cell by cell from the leaves to the root, so that the working set stays small. O(pieces).
-LineEnds collect_line_ends(const Octree& tree, std::uint32_t level, Carriers& carriers,
-                           VertexWelder& welder);
+/// The line ends of all corners, each line and vertex once, by vertex. Gives carriers to the walls
+/// among the corners' planes, and vertices to the corners. O(corners).
+std::vector<LineEnd> find_line_ends(std::span<const CornerCount> corners, Carriers& carriers,
+                                    VertexWelder& welder);
 
 }  // namespace spoctree

@@ -6,6 +6,7 @@
 
 #include "client/rebuild/chain.hpp"
 #include "client/rebuild/contacts.hpp"
+#include "client/rebuild/corners.hpp"
 #include "client/rebuild/face_builder.hpp"
 #include "client/rebuild/radix_sort.hpp"
 #include "client/rebuild/settle_vertices.hpp"
@@ -78,8 +79,8 @@ void find_edges(Surface& surface) {
 Surface rebuild_surface(const Octree& tree, std::uint32_t level) {
   Carriers carriers(tree);
   VertexWelder welder(kWeldTolerance * 2 * std::sqrt(3.0) * tree.universe.half_side);
-  LineEnds lines = collect_line_ends(tree, level, carriers, welder);
-  Chain chain = subdivide_lines(lines.ends, carriers.count(), welder.vertices());
+  std::vector<LineEnd> ends = find_line_ends(find_corners(tree, level, carriers), carriers, welder);
+  Chain chain = subdivide_lines(ends, carriers.count(), welder.vertices());
   join_straight_edges(chain, welder.vertices().size());
   // Each may leave work for the other; in practice the second round finds nothing.
   constexpr int kMaxRounds = 4;
@@ -90,7 +91,7 @@ Surface rebuild_surface(const Octree& tree, std::uint32_t level) {
     join_straight_edges(chain, welder.vertices().size());
   }
   Surface surface;
-  build_faces(chain, carriers, lines.sides, welder.vertices(), surface);
+  build_faces(chain, carriers, find_sides(tree, level, carriers), welder.vertices(), surface);
   drop_unused_vertices(surface, welder.vertices());
   find_edges(surface);
   return surface;

@@ -1,6 +1,5 @@
 #include "client/rebuild/vertex_welder.hpp"
 
-#include <bit>
 #include <glm/geometric.hpp>
 
 #include "client/rebuild/flat_index.hpp"
@@ -19,8 +18,7 @@ std::int64_t cell_coordinate(double x) {
 
 }  // namespace
 
-VertexWelder::VertexWelder(double tolerance)
-    : tolerance_(tolerance), slots_(1024), recent_(std::size_t{1} << kRecentBits) {}
+VertexWelder::VertexWelder(double tolerance) : tolerance_(tolerance), slots_(1024) {}
 
 std::size_t VertexWelder::slot_of(const std::int64_t (&cell)[3]) const {
   std::uint64_t key = 0;
@@ -77,30 +75,16 @@ std::uint32_t VertexWelder::weld(Vec3 point) {
 }
 
 void VertexWelder::weld(std::span<const Vec3> points, std::vector<std::uint32_t>& ids) {
+  constexpr std::size_t kAhead = 8;
   ids.resize(points.size());
-  misses_.clear();
-  for (std::uint32_t i = 0; i < points.size(); ++i) {
-    const Slot& recent = recent_[recent_slot(points[i])];
-    if (recent.id != kEmpty && recent.point == points[i]) {
-      ids[i] = recent.id;
-      continue;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i + kAhead < points.size()) {
+      const Vec3 point = points[i + kAhead];
+      __builtin_prefetch(&slots_[slot_of(
+          {cell_coordinate(point.x), cell_coordinate(point.y), cell_coordinate(point.z)})]);
     }
-    misses_.push_back(i);
-    const Vec3 point = points[i];
-    __builtin_prefetch(&slots_[slot_of(
-        {cell_coordinate(point.x), cell_coordinate(point.y), cell_coordinate(point.z)})]);
-  }
-  for (const std::uint32_t i : misses_) {
     ids[i] = weld(points[i]);
-    recent_[recent_slot(points[i])] = {points[i], ids[i]};
   }
-}
-
-std::size_t VertexWelder::recent_slot(Vec3 point) {
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(point.x) * 0x9e3779b97f4a7c15u ^
-                             std::bit_cast<std::uint64_t>(point.y) * 0xc2b2ae3d27d4eb4fu ^
-                             std::bit_cast<std::uint64_t>(point.z) * 0x165667b19e3779f9u;
-  return (bits ^ (bits >> 29)) >> (64 - kRecentBits);
 }
 
 void VertexWelder::move(std::uint32_t vertex, Vec3 point) {

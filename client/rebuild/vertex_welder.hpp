@@ -18,8 +18,7 @@ class VertexWelder {
   explicit VertexWelder(double tolerance);
 
   std::uint32_t weld(Vec3 point);
-  /// The same for the corners of a piece; faster, because it does not wait for each of them, and
-  /// because most of them were corners of a piece before. Not to be used after `move`.
+  /// The same for many; faster, because it does not wait for each of them.
   void weld(std::span<const Vec3> points, std::vector<std::uint32_t>& ids);
 
   /// Gives a vertex a better position; points near the old one still become this vertex.
@@ -35,9 +34,6 @@ class VertexWelder {
   };
   static constexpr std::uint32_t kEmpty = static_cast<std::uint32_t>(-1);
 
-  static constexpr int kRecentBits = 11;
-
-  static std::size_t recent_slot(Vec3 point);
   std::size_t slot_of(const std::int64_t (&cell)[3]) const;
   std::uint32_t find_in_cell(const std::int64_t (&cell)[3], Vec3 point, double& best) const;
   void insert(Vec3 point, std::uint32_t id);
@@ -48,8 +44,6 @@ class VertexWelder {
   std::vector<Slot> slots_;  // a power of two, at most half filled
   std::size_t filled_ = 0;
   std::vector<Vec3> vertices_;
-  std::vector<Slot> recent_;  // the latest points as they were given, one per hash value
-  std::vector<std::uint32_t> misses_;
 };
 
 }  // namespace spoctree

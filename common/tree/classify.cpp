@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "common/geometry/polyhedron.hpp"
+#include "common/geometry/polyhedron_clipper.hpp"
 #include "common/geometry/predicates.hpp"
 #include "common/tree/expression.hpp"
 

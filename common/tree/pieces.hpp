@@ -5,25 +5,13 @@
 // ancestors' n its own half-spaces. The pieces of levels 0..k make up T_k (see octree.hpp).
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <vector>
 
 #include "common/geometry/polyhedron.hpp"
-#include "common/tree/octree.hpp"
+#include "common/tree/node_address.hpp"
 
 namespace spoctree {
-
-/// A node of a tree and its cube. `lower` are wall indices (units of the finest cells).
-struct NodeAddress {
-  std::uint32_t level = 0;
-  std::uint32_t index = 0;  ///< within the level
-  std::uint32_t lower[3] = {0, 0, 0};
-
-  /// Side of the cube in units of the finest cells.
-  std::uint32_t size() const { return std::uint32_t{1} << (kMaxDepth - static_cast<int>(level)); }
-  /// The address of a child, given the parent's `first_child`.
-  NodeAddress child(std::uint32_t first_child, std::uint32_t octant) const;
-};
 
 /// Where the picture is seen from, in universe coordinates: a point (w = 1), or for a parallel
 /// projection the direction towards the viewer (w = 0). Any finite doubles; no other w.
@@ -63,5 +51,15 @@ struct WalkOptions {
 /// Visits the pieces of T_level. O(nodes), each a few clips of a small polyhedron.
 /// REQUIRES: a valid tree (validate.hpp) with at least one level.
 void walk_pieces(const Octree& tree, const WalkOptions& options, PieceVisitor& visitor);
+
+/// The same for one part of the tree. Parts do not depend on each other.
+void walk_pieces(const Octree& tree, const WalkOptions& options, const Subtree& subtree,
+                 PieceVisitor& visitor);
+
+/// The parts below a GREY node above the last level looked at, in the order of the walk: those that
+/// the options want and whose region may have an interior. What a caller who goes on with them does
+/// not hear of the node itself are `enter`, `inner` and `leave`.
+std::vector<Subtree> children_of(const Octree& tree, const WalkOptions& options,
+                                 const Subtree& subtree);
 
 }  // namespace spoctree

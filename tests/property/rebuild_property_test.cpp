@@ -1,6 +1,7 @@
 // Surfaces of random trees, level by level: closed, without needless edges, and the boundary of
 // exactly the pieces' material.
 #include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
 
 #include <cstdlib>
 #include <glm/geometric.hpp>
@@ -83,6 +84,24 @@ TEST(RebuildProperty, TheSameTreeGivesTheSameSurface) {
   const Surface two = rebuild_surface(tree);
   EXPECT_EQ(to_off(make_polygon_mesh(one, tree.universe)),
             to_off(make_polygon_mesh(two, tree.universe)));
+}
+
+TEST(RebuildProperty, AnyNumberOfThreadsGivesTheSameBytes) {
+  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+    // Large enough for many tasks.
+    const Octree tree = random_tree(seed, {.levels = 8, .max_nodes = 20000, .grey_chance = 0.6});
+    for (const std::uint32_t level : {5u, 7u}) {
+      std::string one;
+      for (const std::size_t threads : {1, 2, 8}) {
+        const oneapi::tbb::global_control limit(
+            oneapi::tbb::global_control::max_allowed_parallelism, threads);
+        const Surface surface = rebuild_surface(tree, level);
+        const std::string text = to_off(make_polygon_mesh(surface, tree.universe));
+        if (one.empty()) one = text;
+        EXPECT_TRUE(text == one) << threads << " threads";
+      }
+    }
+  }
 }
 
 }  // namespace

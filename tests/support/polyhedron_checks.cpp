@@ -63,7 +63,9 @@ std::string structure_error(const Polyhedron& polyhedron, const PlaneSet& planes
       const RationalPoint turn =
           cross(minus(*points[b], *points[a]), minus(*points[c], *points[b]));
       if (dot(turn, to_rational(plane.normal)) <= 0) return "a corner that does not turn left";
-      if (!edges.emplace(std::pair{a, b}, loop[k].across).second) return "an edge twice in a face";
+      if (loop[k].across >= polyhedron.faces.size()) return "an edge with no face across";
+      if (!edges.emplace(std::pair{a, b}, polyhedron.plane_across(loop[k])).second)
+        return "an edge twice in a face";
       ++uses[a];
       ++edge_count;
     }

@@ -1,5 +1,5 @@
 // Exact clipping against plain enumeration of plane triples.
-#include "common/geometry/polyhedron.hpp"
+#include "common/geometry/polyhedron_clipper.hpp"
 
 #include <gtest/gtest.h>
 

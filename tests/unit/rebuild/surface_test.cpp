@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "common/geometry/polyhedron.hpp"
+#include "common/geometry/polyhedron_clipper.hpp"
 #include "tests/support/sample_trees.hpp"
 #include "tests/support/surface_judge.hpp"
 #include "tests/support/voxels.hpp"

@@ -1,0 +1,359 @@
+#include "client/rebuild/cell_corners.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "common/geometry/predicates.hpp"
+
+namespace spoctree {
+
+namespace {
+
+/// Bound of the rounding of a plane's value in a corner of a cell (polyhedron_clipper.cpp derives
+/// it), and of what `cross` rounds.
+constexpr double kRounding = 0x1p-49;
+
+/// Of a point about whose values nothing is known.
+constexpr double kUnknown = 1e300;
+
+/// Bit s of the k-th word: sides s have bit k.
+constexpr std::uint64_t kOutside[6] = {0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc, 0xf0f0f0f0f0f0f0f0,
+                                       0xff00ff00ff00ff00, 0xffff0000ffff0000, 0xffffffff00000000};
+
+template <class Visit>
+bool for_each_bit(std::uint32_t bits, Visit&& visit) {
+  for (; bits != 0; bits &= bits - 1) {
+    if (!visit(static_cast<unsigned>(std::countr_zero(bits)))) return false;
+  }
+  return true;
+}
+
+constexpr std::uint32_t bit(unsigned k) { return std::uint32_t{1} << k; }
+
+}  // namespace
+
+bool CellCorners::find(const NodeAddress& cell, NodeKind kind,
+                       std::span<const std::uint32_t> planes,
+                       std::span<const std::uint32_t> expression,
+                       std::span<const std::uint32_t> bounds, CornerSum& sum) {
+  if (!take_planes(kind, planes, expression, bounds)) return false;
+  take_walls(cell);
+  found_.clear();
+  points_.clear();
+  if (!find_cube_corners() || !find_on_edges() || !find_on_faces() || !find_inside()) return false;
+  for (const Found& found : found_) {
+    sum.add(found.planes[0], found.planes[1], found.planes[2], found.count);
+  }
+  return true;
+}
+
+bool CellCorners::take_planes(NodeKind kind, std::span<const std::uint32_t> planes,
+                              std::span<const std::uint32_t> expression,
+                              std::span<const std::uint32_t> bounds) {
+  if (planes.size() + bounds.size() > kMaxPlanes) return false;
+  const bool is_mixed = kind == NodeKind::Concave || kind == NodeKind::Vertex;
+  const auto own = static_cast<unsigned>(is_mixed ? planes.size() : 0);
+  if (own > kMaxOwnPlanes) return false;
+  own_mask_ = bit(own) - 1;
+  count_ = 0;
+  const auto take = [&](std::uint32_t plane) {
+    refs_[count_] = PlaneRef::of_table(plane);
+    coefficients_[count_] = planes_[refs_[count_]];
+    numbers_[count_] = carriers_.number_of(refs_[count_]);
+    ++count_;
+  };
+  for (const std::uint32_t plane : planes) take(plane);
+  for (const std::uint32_t plane : bounds) take(plane);
+  if (kind == NodeKind::Vertex) {
+    tabulate(expression);
+  } else if (kind == NodeKind::Concave) {
+    // Everything but what is outside all planes.
+    std::fill(material_, material_ + (bit(own) + 63) / 64, ~std::uint64_t{0});
+    material_[own_mask_ >> 6] &= ~(std::uint64_t{1} << (own_mask_ & 63));
+  } else {
+    material_[0] = 1;
+  }
+  return true;
+}
+
+/// From the last token to the first, so that what a split chooses from is there: the tables of the
+/// two parts, the inner one on top.
+void CellCorners::tabulate(std::span<const std::uint32_t> expression) {
+  const std::size_t words = (own_mask_ >> 6) + 1;
+  tables_.clear();
+  for (std::size_t i = expression.size(); i-- > 0;) {
+    const std::uint32_t token = expression[i];
+    if (token < kFirstPlaneToken) {
+      for (std::size_t w = 0; w < words; ++w) {
+        tables_.push_back(token == kInToken ? ~std::uint64_t{0} : 0);
+      }
+      continue;
+    }
+    const std::uint32_t k = token - kFirstPlaneToken;
+    std::uint64_t* const inside = tables_.end() - words;
+    std::uint64_t* const outside = inside - words;
+    for (std::size_t w = 0; w < words; ++w) {
+      const std::uint64_t is_outside = k < 6                       ? kOutside[k]
+                                       : ((w >> (k - 6)) & 1) != 0 ? ~std::uint64_t{0}
+                                                                   : 0;
+      outside[w] = (outside[w] & is_outside) | (inside[w] & ~is_outside);
+    }
+    tables_.resize_unset(tables_.size() - words);
+  }
+  std::copy(tables_.begin(), tables_.begin() + words, material_);
+}
+
+void CellCorners::take_walls(const NodeAddress& cell) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::uint32_t lower = cell.lower[axis];
+    const std::uint32_t upper = lower + cell.size();
+    walls_[2 * axis] = PlaneRef::of_wall(axis, lower).flipped();
+    walls_[2 * axis + 1] = PlaneRef::of_wall(axis, upper);
+    at_[2 * axis] = wall_coordinate(planes_.half_side(), lower);
+    at_[2 * axis + 1] = wall_coordinate(planes_.half_side(), upper);
+  }
+  longest_ = 1.75 * (at_[1] - at_[0]);  // along a diagonal
+  for (int i = 0; i < 6; ++i) wall_numbers_[i] = carriers_.number_of(walls_[i]);
+}
+
+bool CellCorners::find_cube_corners() {
+  for (Point& corner : corners_) {
+    corner.sides = 0;
+    corner.error = kRounding;
+    if (count_ % 2 == 1) corner.values[count_] = 0;
+  }
+  for (unsigned k = 0; k < count_; ++k) {
+    const Plane& plane = coefficients_[k];
+    const double x[2] = {plane.normal.x * at_[0], plane.normal.x * at_[1]};
+    const double y[2] = {plane.normal.y * at_[2], plane.normal.y * at_[3]};
+    const double z[2] = {plane.normal.z * at_[4], plane.normal.z * at_[5]};
+    for (unsigned i = 0; i < 8; ++i) {
+      const double value = x[i & 1] + y[(i >> 1) & 1] + z[i >> 2] - plane.offset;
+      corners_[i].values[k] = value;
+      bool is_outside = value > 0;
+      if (std::abs(value) <= kRounding) {
+        const int side =
+            side_of_point(plane, Vec3{at_[i & 1], at_[2 + ((i >> 1) & 1)], at_[4 + (i >> 2)]});
+        if (side == 0) return false;
+        is_outside = side > 0;
+      }
+      corners_[i].sides |= static_cast<Sides>(is_outside) << k;
+    }
+  }
+  for (unsigned i = 0; i < 8; ++i) {
+    if (!is_material(corners_[i].sides)) continue;
+    const int sign = std::popcount(i) % 2 == 1 ? 1 : -1;
+    add(wall_numbers_[i & 1], wall_numbers_[2 + ((i >> 1) & 1)], wall_numbers_[4 + (i >> 2)], sign);
+  }
+  return true;
+}
+
+/// The values of all planes where the line through `from` and `to` meets the k-th one, which
+/// separates them.
+void CellCorners::interpolate(const Point& from, const Point& to, unsigned k, Point& point) const {
+  const double span = from.values[k] - to.values[k];
+  const double error = std::max(from.error, to.error);
+  if (!(std::abs(span) > 4 * error)) {
+    std::fill(point.values, point.values + count_, 0.0);
+    point.error = kUnknown;
+    return;
+  }
+  const double scale = 1 / span;
+  const double along = from.values[k] * scale;
+  // By twos: what is behind the last plane does not matter.
+  for (unsigned j = 0; j < count_; j += 2) {
+    point.values[j] = from.values[j] + along * (to.values[j] - from.values[j]);
+    point.values[j + 1] = from.values[j + 1] + along * (to.values[j + 1] - from.values[j + 1]);
+  }
+  // With distances a and b that err by e, the parameter a / (a - b) errs by at most e / |a - b|.
+  point.error = 1.5 * error + error * longest_ * std::abs(scale) + kRounding;
+}
+
+/// The line through `from` and `to` lies on the planes `on` and `also_on`; the point in which it
+/// meets the k-th plane, one of those that separate the ends. False if more planes meet there.
+bool CellCorners::cross(const Point& from, const Point& to, Sides separating, unsigned k,
+                        PlaneRef on, PlaneRef also_on, Point& point) const {
+  interpolate(from, to, k, point);
+  point.sides = from.sides & ~separating;
+  return for_each_bit(separating & ~bit(k), [&](unsigned j) {
+    const double value = point.values[j];
+    int side = value > 0 ? 1 : -1;
+    if (!(std::abs(value) > point.error)) {
+      side =
+          side_of_intersection(planes_[on], planes_[also_on], coefficients_[k], coefficients_[j]);
+      if (side == 0) return false;
+    }
+    if (side > 0) point.sides |= bit(j);
+    return true;
+  });
+}
+
+/// The alternating sum where three planes meet, l and k on the line through `from` and `to`. Many
+/// planes pass through about one point where a vertex of the solid is: a side that is in doubt is
+/// only looked for if the sum depends on it. Nothing if four planes meet.
+std::optional<int> CellCorners::sum_inside(const Point& from, const Point& to, unsigned k,
+                                           unsigned l, unsigned m) const {
+  Point point;
+  interpolate(from, to, m, point);
+  const Sides separating = from.sides ^ to.sides;
+  Sides sides = from.sides & ~separating;
+  Sides in_doubt = 0;
+  for_each_bit(separating & ~bit(m), [&](unsigned j) {
+    if (!(std::abs(point.values[j]) > point.error)) {
+      in_doubt |= bit(j);
+    } else if (point.values[j] > 0) {
+      sides |= bit(j);
+    }
+    return true;
+  });
+  const std::uint64_t counts = where_not_zero(bit(k) | bit(l) | bit(m));
+  while (may_count(counts, sides, in_doubt)) {
+    if (in_doubt == 0) return alternating_sum(sides, bit(k), bit(l), bit(m));
+    const auto j = static_cast<unsigned>(std::countr_zero(in_doubt));
+    const int side = side_of_intersection(coefficients_[k], coefficients_[l], coefficients_[m],
+                                          coefficients_[j]);
+    if (side == 0) return std::nullopt;
+    if (side > 0) sides |= bit(j);
+    in_doubt &= in_doubt - 1;
+  }
+  return 0;
+}
+
+/// For sides of the own planes, if these are few: where the alternating sum over some planes is not
+/// zero. Sixty-four sums at once: the numbers of sectors with material that count +1 and -1, as
+/// binary digits.
+std::uint64_t CellCorners::where_not_zero(Sides meeting) const {
+  if (own_mask_ > 63) return ~std::uint64_t{0};
+  std::uint64_t sectors[8] = {material_[0]};
+  unsigned count = 1;
+  // Where a plane's bit is set, tables say the same as where it is not, but nobody asks.
+  for_each_bit(meeting & own_mask_, [&](unsigned k) {
+    for (unsigned i = 0; i < count; ++i) sectors[count + i] = sectors[i] >> bit(k);
+    count *= 2;
+    return true;
+  });
+  std::uint64_t digits[2][3] = {};
+  for (unsigned i = 0; i < count; ++i) {
+    auto& sum = digits[std::popcount(i) % 2];
+    std::uint64_t carry = sectors[i];
+    for (std::uint64_t& digit : sum) {
+      const std::uint64_t both = digit & carry;
+      digit ^= carry;
+      carry = both;
+    }
+  }
+  return (digits[0][0] ^ digits[1][0]) | (digits[0][1] ^ digits[1][1]) |
+         (digits[0][2] ^ digits[1][2]);
+}
+
+/// True if for some sides of the planes in doubt there is something to count.
+bool CellCorners::may_count(std::uint64_t where, Sides sides, Sides in_doubt) const {
+  if ((sides & ~own_mask_) != 0) return false;
+  if (own_mask_ > 63) return true;
+  for (unsigned k = 0; (own_mask_ >> k) != 0; ++k) {
+    if ((in_doubt & bit(k)) != 0) continue;
+    where &= (sides & bit(k)) != 0 ? kOutside[k] : ~kOutside[k];
+  }
+  return where != 0;
+}
+
+void CellCorners::put_end(Ends& ends, bool is_exit, std::uint32_t point) const {
+  (is_exit ? ends.exit : ends.entry) = point;
+}
+
+bool CellCorners::find_on_edges() {
+  for (auto& lines : on_face_) std::fill(lines, lines + count_, Ends{kNone, kNone});
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    const unsigned u = (axis + 1) % 3;
+    const unsigned v = (axis + 2) % 3;
+    for (unsigned edge = 0; edge < 4; ++edge) {
+      const unsigned u_upper = edge & 1;
+      const unsigned v_upper = edge >> 1;
+      const unsigned lower = u_upper << u | v_upper << v;
+      const Point& from = corners_[lower];
+      const Point& to = corners_[lower | 1u << axis];
+      const Sides separating = from.sides ^ to.sides;
+      if (separating == 0) continue;
+      const unsigned f = 2 * u + u_upper;
+      const unsigned g = 2 * v + v_upper;
+      const bool is_fine = for_each_bit(separating, [&](unsigned k) {
+        const auto number = static_cast<std::uint32_t>(points_.size());
+        points_.resize_unset(number + 1);
+        Point& point = points_.back();
+        if (!cross(from, to, separating, k, walls_[f], walls_[g], point)) return false;
+        // The sign of the determinant of the outward normals of f, g and k.
+        const bool is_positive = (u_upper == v_upper) == ((to.sides & bit(k)) != 0);
+        const int sum = alternating_sum(point.sides, bit(k));
+        add(wall_numbers_[f], wall_numbers_[g], numbers_[k], is_positive ? sum : -sum);
+        // On a face, the line of plane k runs along the cross product of their normals.
+        put_end(on_face_[f][k], !is_positive, number);
+        put_end(on_face_[g][k], is_positive, number);
+        return true;
+      });
+      if (!is_fine) return false;
+    }
+  }
+  return true;
+}
+
+bool CellCorners::find_on_faces() {
+  if (count_ < 2) return true;
+  for (unsigned k = 0; k < count_; ++k) {
+    std::fill(inside_[k], inside_[k] + count_, Ends{kNone, kNone});
+  }
+  for (unsigned f = 0; f < 6; ++f) {
+    for (unsigned k = 0; k + 1 < count_; ++k) {
+      const Ends ends = on_face_[f][k];
+      if (ends.entry == kNone && ends.exit == kNone) continue;
+      if (ends.entry == kNone || ends.exit == kNone) return false;
+      const Sides separating = points_[ends.entry].sides ^ points_[ends.exit].sides;
+      // The other ones have been here before.
+      const Sides later = separating & ~(bit(k + 1) - 1);
+      const bool is_fine = for_each_bit(later, [&](unsigned l) {
+        const auto number = static_cast<std::uint32_t>(points_.size());
+        points_.resize_unset(number + 1);
+        const Point& from = points_[ends.entry];
+        const Point& to = points_[ends.exit];
+        Point& point = points_.back();
+        if (!cross(from, to, separating, l, walls_[f], refs_[k], point)) return false;
+        const bool is_positive = (to.sides & bit(l)) != 0;
+        const int sum = alternating_sum(point.sides, bit(k), bit(l));
+        add(wall_numbers_[f], numbers_[k], numbers_[l], is_positive ? sum : -sum);
+        put_end(inside_[k][l], is_positive, number);
+        return true;
+      });
+      if (!is_fine) return false;
+    }
+  }
+  return true;
+}
+
+bool CellCorners::find_inside() {
+  for (unsigned k = 0; k + 2 < count_; ++k) {
+    for (unsigned l = k + 1; l + 1 < count_; ++l) {
+      const Ends ends = inside_[k][l];
+      if (ends.entry == kNone && ends.exit == kNone) continue;
+      if (ends.entry == kNone || ends.exit == kNone) return false;
+      const Point& from = points_[ends.entry];
+      const Point& to = points_[ends.exit];
+      const Sides separating = from.sides ^ to.sides;
+      const Sides later = separating & ~(bit(l + 1) - 1);
+      if (later == 0 ||
+          !may_count(where_not_zero(bit(k) | bit(l)), from.sides & ~separating, separating)) {
+        continue;
+      }
+      const bool is_fine = for_each_bit(later, [&](unsigned m) {
+        const std::optional<int> sum = sum_inside(from, to, k, l, m);
+        if (!sum) return false;
+        const bool is_positive = (to.sides & bit(m)) != 0;
+        add(numbers_[k], numbers_[l], numbers_[m], is_positive ? *sum : -*sum);
+        return true;
+      });
+      if (!is_fine) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace spoctree

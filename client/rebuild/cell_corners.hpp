@@ -1,0 +1,120 @@
+// A cell with planes and what is material between them -> the corners of that material.
+//
+// The corners are the points of the planes' arrangement in the cube: where an edge of the cube
+// meets a plane, a face two, the inside three. No polyhedron is made. On a line whose two ends are
+// known to lie on different sides of a plane there is one point of that plane; with respect to the
+// planes that do not separate the ends it lies where they do. So almost all signs follow from
+// others, and those that do not are found exactly.
+//
+// How often a point is a corner of the material is the alternating sum over the sectors of its
+// three planes: minus once per plane that the sector is outside of, if the sector is material.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "client/rebuild/carriers.hpp"
+#include "client/rebuild/corner_sum.hpp"
+#include "common/base/plain_vector.hpp"
+#include "common/tree/node_address.hpp"
+
+namespace spoctree {
+
+/// Finds corners cell by cell. Holds working memory: use one per thread.
+class CellCorners {
+ public:
+  CellCorners(const Octree& tree, const Carriers& carriers)
+      : planes_(tree.plane_set()), carriers_(carriers) {}
+
+  /// Adds to `sum` the corners of the material in a cell: of the region inside all planes of
+  /// `bounds`, that part that a node of this kind takes (GREY: all inside its planes). False, and
+  /// nothing is added, if the cell is not for this: planes that meet where they need not (four in a
+  /// point, or one in a corner of the cube), or too many planes.
+  /// O(the points of the arrangement).
+  bool find(const NodeAddress& cell, NodeKind kind, std::span<const std::uint32_t> planes,
+            std::span<const std::uint32_t> expression, std::span<const std::uint32_t> bounds,
+            CornerSum& sum);
+
+ private:
+  /// More are left to others: own planes of VERTEX and CONCAVE nodes, and planes altogether.
+  static constexpr unsigned kMaxOwnPlanes = 10;
+  static constexpr unsigned kMaxPlanes = 14;
+  /// Sides of the planes: bit k is set if outside the k-th.
+  using Sides = std::uint32_t;
+
+  struct Point {
+    Sides sides;                ///< of the planes that do not meet here; 0 for those that do
+    double error;               ///< bound for all values
+    double values[kMaxPlanes];  // an even number
+  };
+  /// Where a line enters the cube and where it leaves, as numbers of points.
+  struct Ends {
+    std::uint32_t entry;
+    std::uint32_t exit;
+  };
+  struct Found {
+    std::uint32_t planes[3];
+    std::int32_t count;
+  };
+  static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+
+  bool take_planes(NodeKind kind, std::span<const std::uint32_t> planes,
+                   std::span<const std::uint32_t> expression,
+                   std::span<const std::uint32_t> bounds);
+  void tabulate(std::span<const std::uint32_t> expression);
+  void take_walls(const NodeAddress& cell);
+  bool find_cube_corners();
+  bool find_on_edges();
+  bool find_on_faces();
+  bool find_inside();
+  void interpolate(const Point& from, const Point& to, unsigned k, Point& point) const;
+  bool cross(const Point& from, const Point& to, Sides separating, unsigned k, PlaneRef on,
+             PlaneRef also_on, Point& point) const;
+  std::optional<int> sum_inside(const Point& from, const Point& to, unsigned k, unsigned l,
+                                unsigned m) const;
+  bool may_count(std::uint64_t where_not_zero, Sides sides, Sides in_doubt) const;
+  std::uint64_t where_not_zero(Sides meeting) const;
+  void put_end(Ends& ends, bool is_exit, std::uint32_t point) const;
+
+  bool is_material(Sides sides) const {
+    const Sides own = sides & own_mask_;
+    return (sides & ~own_mask_) == 0 && ((material_[own >> 6] >> (own & 63)) & 1) != 0;
+  }
+  /// The alternating sum over the sectors of planes that meet in a point.
+  int alternating_sum(Sides sides, Sides k) const {
+    return int{is_material(sides)} - int{is_material(sides | k)};
+  }
+  int alternating_sum(Sides sides, Sides k, Sides l) const {
+    return alternating_sum(sides, k) - alternating_sum(sides | l, k);
+  }
+  int alternating_sum(Sides sides, Sides k, Sides l, Sides m) const {
+    return alternating_sum(sides, k, l) - alternating_sum(sides | m, k, l);
+  }
+  void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, int count) {
+    if (count != 0) found_.push_back({{a, b, c}, count});
+  }
+
+  const PlaneSet planes_;
+  const Carriers& carriers_;
+  // Of the cell at hand; the node's own planes come first.
+  unsigned count_ = 0;
+  PlaneRef refs_[kMaxPlanes];
+  Plane coefficients_[kMaxPlanes];
+  std::uint32_t numbers_[kMaxPlanes];
+  Sides own_mask_ = 0;
+  /// Bit s: what is on sides s of the own planes is material. A word at least.
+  std::uint64_t material_[(std::size_t{1} << kMaxOwnPlanes) / 64];
+  PlainVector<std::uint64_t> tables_;  // of the parts of an expression
+  PlaneRef walls_[6];                  // lower and upper by axis, outwards
+  std::uint32_t wall_numbers_[6];
+  double at_[6];
+  double longest_ = 0;  ///< no two points of the cell have values that differ by more
+  Point corners_[8];
+  PlainVector<Point> points_;
+  Ends on_face_[6][kMaxPlanes];          // the line of a face and a plane
+  Ends inside_[kMaxPlanes][kMaxPlanes];  // the line of two planes, the first one first
+  PlainVector<Found> found_;
+};
+
+}  // namespace spoctree
