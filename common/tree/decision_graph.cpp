@@ -33,6 +33,9 @@ Cube make_cube(const std::uint32_t (&lower)[3], std::uint32_t size, double half_
   return cube;
 }
 
+/// Rays ask in doubles, and stray from a cube by their rounding: what is so near counts as touched.
+constexpr double kNear = 8 * kSideError;
+
 enum class Reach { Inside, Outside, Crosses };
 
 /// Where a cube lies with respect to a plane; `Crosses` also where it comes near to it.
@@ -44,6 +47,24 @@ Reach reach_of(const Cube& cube, const Plane& plane) {
   if (value > reach) return Reach::Outside;
   if (value < -reach) return Reach::Inside;
   return Reach::Crosses;
+}
+
+/// True if no point of the cube is inside `other` and outside `plane`, nor near to that: who tests
+/// `other` need not test `plane`. For every factor f >= 0, plane - f other <= plane wherever the
+/// point is inside `other`; the left side is linear, and its largest value in the cube is smallest
+/// for one of the factors for which a component of its normal vanishes.
+bool is_implied(const Cube& cube, const Plane& plane, const Plane& other) {
+  const double value = glm::dot(plane.normal, cube.centre) - plane.offset;
+  const double other_value = glm::dot(other.normal, cube.centre) - other.offset;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double factor = plane.normal[axis] / other.normal[axis];
+    if (!(factor > 0 && factor < 16)) continue;
+    const Vec3 n = plane.normal - factor * other.normal;
+    const double highest =
+        value - factor * other_value + cube.half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
+    if (highest < -kNear * (1 + factor)) return true;
+  }
+  return false;
 }
 
 class GraphMaker {
@@ -68,6 +89,8 @@ class GraphMaker {
   /// Handing planes down to the children may cost this many box tests for every node and reference
   /// below. Where there are more planes, all of them are tested at the node itself.
   static constexpr std::uint64_t kTestsPerEntry = 16;
+  /// Each of so many planes is compared with each.
+  static constexpr std::size_t kMostCompared = 16;
 
   /// weights_[k][g]: nodes and references below the g-th GREY node of level k.
   void weigh_subtrees() {
@@ -97,7 +120,20 @@ class GraphMaker {
       if (reach == Reach::Outside) return false;
       if (reach == Reach::Crosses) crossing.push_back(index);
     }
+    if (crossing.size() <= kMostCompared) drop_implied(cube, crossing);
     return true;
+  }
+
+  /// One after the other: of planes that imply each other, one stays.
+  void drop_implied(const Cube& cube, Planes& crossing) const {
+    for (std::size_t i = crossing.size(); i-- > 0;) {
+      const Plane& asked = plane(crossing[i]);
+      const bool is_dropped =
+          std::any_of(crossing.begin(), crossing.end(), [&](std::uint32_t other) {
+            return other != crossing[i] && is_implied(cube, asked, plane(other));
+          });
+      if (is_dropped) crossing.erase(crossing.begin() + static_cast<std::ptrdiff_t>(i));
+    }
   }
 
   /// lists_[depth] holds the ancestors' planes that cross the node's cube; they are tested first.

@@ -29,7 +29,8 @@ struct PlaneTest {
 /// The material of T_level. A cell's octants are the halves of the cube it stands for, the root's
 /// is the universe cube; tests leave the cube as it is. Each answer is that of the point inside its
 /// cube and on none of the planes asked for on the way. A plane is not asked for in cubes that lie
-/// strictly on one side of it, by more than the rounding of doubles.
+/// strictly on one side of it, nor together with another plane whose inside, within the cube, lies
+/// strictly inside it; strictly: by more than the rounding of doubles.
 struct DecisionGraph {
   Step root = kOutStep;
   std::vector<std::array<Step, 8>> cells;
