@@ -36,12 +36,14 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
       ->capture_default_str();
   command
       .add_option("--flat-tolerance", options.flat_tolerance,
-                  "neighbouring faces that are even to so much of the diagonal become one plane")
+                  "neighbouring faces that are flat within so much of the diagonal become one, and "
+                  "corners move by less than twice that; 0 keeps every plane")
       ->check(CLI::Range(0.0, kLargestFlatTolerance) & CLI::Validator(is_number, "NUMBER"))
       ->capture_default_str();
-  command.add_flag("--repair", options.repair,
-                   "drop copies of faces and triangles without area, turn faces that disagree, fill "
-                   "holes; every change is said");
+  command.add_flag(
+      "--repair", options.repair,
+      "drop copies of faces and triangles without area, turn faces that disagree, fill "
+      "holes; every change is said");
 }
 
 }  // namespace
@@ -58,6 +60,9 @@ int main(int argc, char** argv) {
   build_command.add_option("MESH", build.mesh, kMeshFormats)->required();
   build_command.add_option("-o,--output", build.output, "the .spo file; - is standard output")
       ->required();
+  build_command.add_option(
+      "--save-solid", build.save_solid,
+      "also write the solid that the model is of, in triangles, to this OFF file");
   add_model_options(build_command, build.options);
   ThreadsOption build_threads(build_command);
   build_command.callback([&] {

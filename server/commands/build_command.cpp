@@ -9,6 +9,7 @@
 #include "common/wire/spo_file.hpp"
 #include "server/commands/build_progress.hpp"
 #include "server/commands/describe_solid.hpp"
+#include "server/solid/write_off.hpp"
 
 namespace spoctree {
 
@@ -35,8 +36,11 @@ std::string summarize(const BuildArguments& arguments, const Model& model, const
 
 void run_build(const BuildArguments& arguments) {
   ProgressLine line;
+  const auto save = [&](const Solid& solid) {
+    if (!arguments.save_solid.empty()) write_output(arguments.save_solid, to_off(solid));
+  };
   const Model model =
-      build_model(arguments.mesh, arguments.options, show_progress(line, arguments.mesh));
+      build_model(arguments.mesh, arguments.options, show_progress(line, arguments.mesh), save);
   const SpoFile file(model.spo, arguments.output);
   write_output(arguments.output, model.spo);
   line.clear();

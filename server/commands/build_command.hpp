@@ -9,7 +9,8 @@ namespace spoctree {
 
 struct BuildArguments {
   std::string mesh;
-  std::string output;  ///< "-": standard output (the summary then goes to standard error)
+  std::string output;      ///< "-": standard output (the summary then goes to standard error)
+  std::string save_solid;  ///< where to write the solid's triangles; empty: nowhere
   ModelOptions options;
 };
 

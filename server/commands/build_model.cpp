@@ -100,7 +100,7 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
 }  // namespace
 
 Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
-                  const BuildProgress& progress) {
+                  const BuildProgress& progress, const SolidObserver& observe) {
   Model model;
   Stopwatch stopwatch;
   const Solid solid = read_solid(mesh, options, progress, model.changes);
@@ -108,6 +108,8 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
   model.plane_count = solid.planes.size();
   model.volume = solid.volume;
   model.import_seconds = stopwatch.lap();
+  if (observe) observe(solid);
+  stopwatch.lap();
 
   BuildOptions build_options;
   build_options.rules.max_depth = options.max_depth;

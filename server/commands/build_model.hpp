@@ -42,9 +42,12 @@ struct Model {
 /// one at a time.
 using BuildProgress = std::function<void(const char* step, double fraction)>;
 
+/// Called with the solid that the model will be of, in its merged form, before it is built.
+using SolidObserver = std::function<void(const Solid& solid)>;
+
 /// Reads, judges, builds and encodes. The same model for the same file and options, seconds apart.
 /// Throws BadInput as read_mesh and import_solid do.
 Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
-                  const BuildProgress& progress);
+                  const BuildProgress& progress, const SolidObserver& observe = {});
 
 }  // namespace spoctree

@@ -17,13 +17,14 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
   }
   if (report.triangulated_faces > 0) {
     text += "triangulated: " + std::to_string(report.triangulated_faces) +
-            " faces with more than three corners, uneven by at most " +
-            to_short_text(100 * report.largest_unevenness) + " % of the diagonal\n";
+            " faces with more than three corners, " + std::to_string(report.uneven_faces) +
+            " of them not flat, by at most " + to_short_text(100 * report.largest_unevenness) +
+            " % of the diagonal\n";
   }
   if (report.merged_points > 0) {
     text += "merged: " + std::to_string(report.merged_points) + " points\n";
   }
-  if (report.planes_before_merging > plane_count) {
+  if (report.planes_before_merging != plane_count || report.largest_move > 0) {
     text += "merged: " + std::to_string(report.planes_before_merging) + " planes into " +
             std::to_string(plane_count) + ", no corner moved farther than " +
             to_short_text(report.largest_move) + "\n";

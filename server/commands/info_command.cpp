@@ -99,6 +99,7 @@ std::string info_of_mesh(const InfoArguments& arguments) {
       {"upper", to_json(upper)},
       {"was_turned", report.was_turned ? "true" : "false"},
       {"triangulated_faces", std::to_string(report.triangulated_faces)},
+      {"uneven_faces", std::to_string(report.uneven_faces)},
       {"largest_unevenness", to_text(report.largest_unevenness)},
       {"merged_points", std::to_string(report.merged_points)},
       {"planes_before_merging", std::to_string(report.planes_before_merging)},

@@ -23,6 +23,7 @@ struct SolidTriangle {
 struct SolidReport {
   std::size_t input_faces = 0;
   std::size_t triangulated_faces = 0;  ///< polygons with more than three corners
+  std::size_t uneven_faces = 0;        ///< those of them that are not flat, but for rounding
   double largest_unevenness = 0;  ///< of those, the largest distance of a corner from the polygon's
                                   ///< mean plane, as a fraction of the bounding box's diagonal
   bool was_turned = false;        ///< all faces pointed inwards and were reversed

@@ -27,6 +27,9 @@ using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
 
 using Face = std::span<const std::uint32_t>;
 
+// Corners that were in one plane are within this of it on the grid, in universe units.
+constexpr double kRounding = 0x1p-48;
+
 bool is_on_one_line(Face face, std::span<const glm::dvec3> points) {
   const auto point = [&](std::size_t i) {
     const glm::dvec3 p = points[face[i]];
@@ -181,8 +184,9 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
     } else {
       const Vec3 normal = newell_normal(face, mesh.vertices);
       ++report.triangulated_faces;
-      report.largest_unevenness = std::max(
-          report.largest_unevenness, unevenness(face, mesh.vertices, normal) / mesh.box_diagonal);
+      const double uneven = unevenness(face, mesh.vertices, normal);
+      if (uneven > kRounding) ++report.uneven_faces;
+      report.largest_unevenness = std::max(report.largest_unevenness, uneven / mesh.box_diagonal);
       if (!split_face(face, mesh, normal, mesh.triangles)) crossing.add(i);
     }
     if (mesh.triangles.size() > kMaxTriangles) {
