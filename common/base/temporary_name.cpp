@@ -20,11 +20,16 @@ struct Slot {
   std::array<char, 4096> path{};
 };
 std::array<Slot, 32> slots;
+std::atomic<const char*> last_words = nullptr;
 static_assert(std::atomic<bool>::is_always_lock_free);
+static_assert(std::atomic<const char*>::is_always_lock_free);
 
 extern "C" void remove_files_and_die(int signal) {
   for (Slot& slot : slots) {
     if (slot.is_valid.load()) ::unlink(slot.path.data());
+  }
+  if (const char* const words = last_words.load()) {
+    [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, words, std::strlen(words));
   }
   // SA_RESETHAND has put the default back: this ends the program once the handler returns.
   ::raise(signal);
@@ -50,6 +55,8 @@ TemporaryName::~TemporaryName() {
   slot.is_valid.store(false);
   slot.is_taken.store(false);
 }
+
+void set_last_words(const char* text) { last_words.store(text); }
 
 void remove_temporary_files_on_signals() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {

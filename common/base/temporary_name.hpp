@@ -1,4 +1,4 @@
-// The names of temporary files, so that Ctrl-C leaves none of them behind.
+// What Ctrl-C must not leave behind: temporary files, and half a line on the terminal.
 #pragma once
 
 #include <string>
@@ -19,8 +19,12 @@ class TemporaryName {
   int slot_ = -1;
 };
 
-/// From now on SIGINT, SIGTERM and SIGHUP first remove every file that a TemporaryName holds; then
-/// they end the program as they always do.
+/// What is written to standard error before a signal ends the program: a literal, or nullptr for
+/// nothing.
+void set_last_words(const char* text);
+
+/// From now on SIGINT, SIGTERM and SIGHUP first remove every file that a TemporaryName holds, and
+/// write the last words; then they end the program as they always do.
 void remove_temporary_files_on_signals();
 
 }  // namespace spoctree

@@ -5,10 +5,15 @@
 
 #include <cstdio>
 
+#include "common/base/temporary_name.hpp"
+
 namespace spoctree {
 
 namespace {
 constexpr std::chrono::milliseconds kInterval{100};
+
+// Carriage return, erase to the end of the line.
+constexpr const char* kClear = "\r\x1b[K";
 
 // A line that goes on in a second row could not be overwritten.
 int columns_for_text() {
@@ -27,6 +32,7 @@ bool ProgressLine::wants_text() const {
 void ProgressLine::show(const std::string& text) {
   if (!is_terminal_) return;
   next_ = std::chrono::steady_clock::now() + kInterval;
+  if (!is_shown_) set_last_words(kClear);
   is_shown_ = true;
   // Carriage return, the text, erase to the end of the line.
   std::fprintf(stderr, "\r%.*s\x1b[K", columns_for_text(), text.c_str());
@@ -36,7 +42,8 @@ void ProgressLine::show(const std::string& text) {
 void ProgressLine::clear() {
   if (!is_shown_) return;
   is_shown_ = false;
-  std::fputs("\r\x1b[K", stderr);
+  set_last_words(nullptr);
+  std::fputs(kClear, stderr);
   std::fflush(stderr);
 }
 

@@ -7,7 +7,8 @@
 namespace spoctree {
 
 /// Shows a line on standard error and overwrites it with the next; shows nothing where standard
-/// error is not a terminal. The line is gone when this is destroyed.
+/// error is not a terminal. The line is gone when this is destroyed, or a signal ends the program.
+/// One at a time.
 class ProgressLine {
  public:
   ProgressLine();

@@ -42,7 +42,8 @@ void LevelSurvey::inner(const NodeAddress& address, const Polyhedron& region) {
   if (distance > level.attained && queries_.side_of(farthest->position) != SolidQueries::Side::In) {
     level.attained = distance;
   }
-  if (bound > kErrorBoundRatio * level.attained) level.candidates.push_back({bound, region});
+  if (bound > kErrorBoundRatio * level.attained)
+    level.candidates.push_back({bound, address, region});
 }
 
 }  // namespace spoctree

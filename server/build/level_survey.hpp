@@ -15,6 +15,7 @@ struct GreyRegions {
   /// A region, and a bound of how far its points are from the solid.
   struct Candidate {
     double bound;
+    NodeAddress node;
     Polyhedron region;
   };
 

@@ -87,6 +87,8 @@ TEST_F(Terminal, CtrlCInAnyStepOfABuildLeavesNothing) {
     ASSERT_TRUE(server.wait_for(": " + step)) << server.shown();
     server.press_ctrl_c();
     EXPECT_EQ(server.wait(), -SIGINT) << step;
+    // Nothing is left on the terminal either.
+    EXPECT_TRUE(server.shown().ends_with("\r\x1b[K")) << step << server.shown();
     EXPECT_EQ(output.entries(), std::vector<std::string>{}) << step;
   }
 }
