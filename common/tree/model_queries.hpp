@@ -6,8 +6,9 @@
 namespace spoctree {
 
 /// Where a point of the model lies. It is rounded to the grid as the mesh's vertices were (2^-53 of
-/// the universe cube at most), so that a vertex of the mesh, or a point of a face parallel to the
-/// axes, is exactly that. Complexity: QueryIndex::classify.
+/// the universe cube at most), so that a point of a face parallel to the axes is exactly on it.
+/// Planes of other faces are rounded outwards: a point of the mesh is On or, by less than 2^-51,
+/// In. Complexity: QueryIndex::classify.
 PointClass classify_in_model(const QueryIndex& index, Vec3 point);
 
 /// The first crossing of the ray origin + t direction, t > 0, with the boundary: times in units of

@@ -16,7 +16,8 @@ struct QueryJudgementOptions {
 
 /// Asks points (half of them 1e-6 to 1e-2 of the diagonal off the surface), rays (from outside,
 /// from inside, aimed at vertices and edges) and measures at every level, and adds a failure for
-/// everything that contradicts the mesh. Faces are not merged.
+/// everything that contradicts the mesh. Only what is flat to 1e-12 is merged, and the merged mesh
+/// is the judge.
 void judge_queries(const std::string& name, const PolygonSoup& soup,
                    const QueryJudgementOptions& options = {});
 
