@@ -33,10 +33,9 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
   walk_pieces(built.tree, grey_nodes(), survey);
   progress.add(kSurveyShare);
   const std::vector<GreyRegions>& regions = survey.levels();
-  const PlaneSet planes = built.tree.plane_set();
   std::vector<double> bounds(regions.size(), 0.0);
   oneapi::tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
-    if (built.tree.levels[k].grey_count > 0) bounds[k] = error_bound(regions[k], planes, queries);
+    if (built.tree.levels[k].grey_count > 0) bounds[k] = error_bound(regions[k], built, solid, queries);
     progress.add((1 - kSurveyShare) / static_cast<double>(regions.size()));
   });
 

@@ -3,8 +3,13 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
 #include <queue>
+#include <utility>
+#include <vector>
 
+#include "common/geometry/polyhedron_clipper.hpp"
+#include "common/tree/expression.hpp"
 #include "server/build/certify.hpp"
 
 namespace spoctree {
@@ -14,80 +19,214 @@ namespace {
 /// Distances are computed to better than this; it is added to every bound (universe units).
 constexpr double kDistanceRounding = 1e-12;
 
-/// Distance queries spent on one level at most.
-constexpr std::size_t kQueriesPerLevel = 20000;
+/// Nodes and boxes opened for one level at most.
+constexpr std::size_t kMostSteps = 20000;
 
-/// A part of a region's bounding box.
-struct PartBox {
-  double bound;
-  Vec3 centre;
-  Vec3 half;
-  const Polyhedron* region;
-  bool operator<(const PartBox& other) const { return bound < other.bound; }
-};
+/// Doubles tell a point's side of a plane to better than this.
+constexpr double kSideRounding = 1e-14;
 
-PartBox box_of(const GreyRegions::Candidate& candidate) {
-  const auto& vertices = candidate.region.vertices;
-  Vec3 lower = vertices.front().position;
-  Vec3 upper = lower;
-  for (const PolyhedronVertex& vertex : vertices) {
-    lower = glm::min(lower, vertex.position);
-    upper = glm::max(upper, vertex.position);
-  }
-  return {candidate.bound, 0.5 * (lower + upper), 0.5 * (upper - lower), &candidate.region};
-}
-
-/// False if the box is certainly outside the region. Says whether its centre is inside.
-bool may_meet(const PartBox& box, const PlaneSet& planes, bool& centre_is_inside) {
-  constexpr double kRounding = 1e-14;
+/// False only if no point of the box is in the part. Says whether its centre is.
+bool may_meet(const Polyhedron& part, const PlaneSet& planes, Vec3 centre, Vec3 half,
+              bool& centre_is_inside) {
   centre_is_inside = true;
-  for (const Polyhedron::Face& face : box.region->faces) {
+  for (const Polyhedron::Face& face : part.faces) {
     const Plane plane = planes[face.plane];
-    const double value = glm::dot(plane.normal, box.centre) - plane.offset;
-    if (value - glm::dot(glm::abs(plane.normal), box.half) > kRounding) return false;
+    const double value = glm::dot(plane.normal, centre) - plane.offset;
+    if (value - glm::dot(glm::abs(plane.normal), half) > kSideRounding) return false;
     if (value > 0) centre_is_inside = false;
   }
   return true;
 }
 
-}  // namespace
+/// A best-first search for the point of T_k that is farthest from the solid.
+class ExcessSearch {
+ public:
+  ExcessSearch(const BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
+               double attained)
+      : built_(built),
+        solid_(solid),
+        queries_(queries),
+        planes_(built.tree.plane_set()),
+        attained_(attained) {}
 
-double error_bound(const GreyRegions& regions, const PlaneSet& planes,
-                   const SolidQueries& queries) {
-  double attained = regions.attained;
-  const auto is_in_question = [&attained](double bound) {
-    return bound > kErrorBoundRatio * attained;
+  void add_node(const NodeAddress& grey_node, Polyhedron region, double bound);
+  /// Nothing in the nodes added is farther from the solid.
+  double run();
+
+ private:
+  using SharedPolyhedron = std::shared_ptr<const Polyhedron>;
+  /// A GREY node and its region, or a box that matters as far as it is in a part of the excess.
+  struct Item {
+    double bound = 0;
+    SharedPolyhedron region;
+    bool is_node = false;
+    NodeAddress node;
+    Vec3 centre{0.0};
+    Vec3 half{0.0};
+    bool operator<(const Item& other) const { return bound < other.bound; }
   };
-  std::priority_queue<PartBox> open;
-  for (const GreyRegions::Candidate& candidate : regions.candidates) {
-    if (is_in_question(candidate.bound)) open.push(box_of(candidate));
-  }
-  std::size_t asked = 0;
-  while (!open.empty() && is_in_question(open.top().bound) && asked < kQueriesPerLevel) {
-    const PartBox box = open.top();
-    open.pop();
-    for (unsigned octant = 0; octant < 8; ++octant) {
-      PartBox part = box;
-      part.half = 0.5 * box.half;
-      for (int axis = 0; axis < 3; ++axis) {
-        part.centre[axis] += ((octant >> axis) & 1) ? part.half[axis] : -part.half[axis];
-      }
-      bool centre_is_inside = false;
-      if (!may_meet(part, planes, centre_is_inside)) continue;
-      ++asked;
-      const double radius = glm::length(part.half);
-      const double distance = queries.distance(part.centre);
-      if (distance > radius || (centre_is_inside && distance > attained)) {
-        const bool is_in_solid = queries.side_of(part.centre) == SolidQueries::Side::In;
-        if (is_in_solid && distance > radius) continue;  // all of the part is material
-        if (!is_in_solid && centre_is_inside) attained = std::max(attained, distance);
-      }
-      part.bound = std::min(box.bound, distance + radius);
-      if (is_in_question(part.bound)) open.push(part);
+
+  bool is_in_question(double bound) const { return bound > kErrorBoundRatio * attained_; }
+  void open_node(const Item& item);
+  void open_child(const NodeAddress& child, double bound, Polyhedron region);
+  void open_expression(const NodeAddress& leaf, double bound, const Polyhedron& region);
+  void open_box(const Item& item);
+  void add_part(Polyhedron part, double bound);
+
+  const BuiltOctree& built_;
+  const Solid& solid_;
+  const SolidQueries& queries_;
+  const PlaneSet planes_;
+  PolyhedronClipper clipper_;
+  std::priority_queue<Item> open_;
+  double attained_;
+};
+
+void ExcessSearch::add_node(const NodeAddress& grey_node, Polyhedron region, double bound) {
+  Item item;
+  item.bound = bound;
+  item.region = std::make_shared<const Polyhedron>(std::move(region));
+  item.is_node = true;
+  item.node = grey_node;
+  open_.push(std::move(item));
+}
+
+double ExcessSearch::run() {
+  for (std::size_t steps = 0; steps < kMostSteps && !open_.empty(); ++steps) {
+    const Item item = open_.top();
+    if (!is_in_question(item.bound)) break;
+    open_.pop();
+    if (item.is_node) {
+      open_node(item);
+    } else {
+      open_box(item);
     }
   }
-  return std::max(kErrorBoundRatio * attained, open.empty() ? 0.0 : open.top().bound) +
+  return std::max(kErrorBoundRatio * attained_, open_.empty() ? 0.0 : open_.top().bound) +
          kDistanceRounding;
+}
+
+void ExcessSearch::open_node(const Item& item) {
+  const NodeAddress& node = item.node;
+  const std::uint32_t first_child = built_.tree.levels[node.level].first_child[node.index];
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    const NodeAddress child = node.child(first_child, octant);
+    if (built_.tree.levels[child.level].kinds[child.index] == NodeKind::Black) continue;
+    Polyhedron region = *item.region;
+    bool has_interior = true;
+    for (int axis = 0; axis < 3 && has_interior; ++axis) {
+      const PlaneRef middle = PlaneRef::of_wall(axis, node.lower[axis] + node.size() / 2);
+      const bool is_upper = ((octant >> axis) & 1) != 0;
+      has_interior =
+          clipper_.clip(region, is_upper ? middle.flipped() : middle, planes_) != ClipResult::Empty;
+    }
+    if (has_interior) open_child(child, item.bound, std::move(region));
+  }
+}
+
+void ExcessSearch::open_child(const NodeAddress& child, double bound, Polyhedron region) {
+  const Level& level = built_.tree.levels[child.level];
+  const NodeKind kind = level.kinds[child.index];
+  if (kind == NodeKind::White) {
+    add_part(std::move(region), bound);
+    return;
+  }
+  if (kind == NodeKind::Concave || kind == NodeKind::Vertex) {
+    open_expression(child, bound, region);
+    return;
+  }
+  Polyhedron inside, outside;
+  for (const std::uint32_t plane : level.planes_of(child.index)) {
+    const auto parts = clipper_.split(region, PlaneRef::of_table(plane), planes_, inside, outside);
+    if (parts.outside) add_part(outside, bound);
+    if (!parts.inside) return;
+    std::swap(region, inside);
+  }
+  if (kind != NodeKind::Grey) return;
+  const double reach = std::min(bound, reach_of(built_, solid_, child, region).bound);
+  if (is_in_question(reach)) add_node(child, std::move(region), reach);
+}
+
+void ExcessSearch::open_expression(const NodeAddress& leaf, double bound,
+                                   const Polyhedron& region) {
+  const Level& level = built_.tree.levels[leaf.level];
+  const auto planes = level.planes_of(leaf.index);
+  std::vector<std::uint32_t> tokens;
+  if (level.kinds[leaf.index] == NodeKind::Concave) {
+    tokens = union_of(static_cast<std::uint32_t>(planes.size()));
+  } else {
+    const auto expression = level.expression_of(leaf.index);
+    tokens.assign(expression.begin(), expression.end());
+  }
+  // Splits within each other are as many as the node has planes: no recursion.
+  std::vector<std::pair<Polyhedron, const std::uint32_t*>> parts{{region, tokens.data()}};
+  while (!parts.empty()) {
+    auto [part, token] = std::move(parts.back());
+    parts.pop_back();
+    if (*token == kInToken) continue;
+    if (*token == kOutToken) {
+      add_part(std::move(part), bound);
+      continue;
+    }
+    const PlaneRef plane = PlaneRef::of_table(planes[*token - kFirstPlaneToken]);
+    Polyhedron inside, outside;
+    const auto found = clipper_.split(part, plane, planes_, inside, outside);
+    if (found.inside) parts.emplace_back(std::move(inside), token + 1);
+    if (found.outside) parts.emplace_back(std::move(outside), skip_expression(token + 1));
+  }
+}
+
+void ExcessSearch::add_part(Polyhedron part, double bound) {
+  Vec3 lower = part.vertices.front().position;
+  Vec3 upper = lower;
+  for (const PolyhedronVertex& vertex : part.vertices) {
+    lower = glm::min(lower, vertex.position);
+    upper = glm::max(upper, vertex.position);
+  }
+  Item item;
+  item.centre = 0.5 * (lower + upper);
+  item.half = 0.5 * (upper - lower);
+  double radius = 0;
+  for (const PolyhedronVertex& vertex : part.vertices) {
+    radius = std::max(radius, glm::distance(item.centre, vertex.position) + vertex.error);
+  }
+  item.bound = std::min(bound, queries_.distance(item.centre) + radius);
+  if (!is_in_question(item.bound)) return;
+  for (const PolyhedronVertex& vertex : part.vertices) {
+    attained_ = std::max(attained_, queries_.distance(vertex.position) - vertex.error);
+  }
+  if (!is_in_question(item.bound)) return;
+  item.region = std::make_shared<const Polyhedron>(std::move(part));
+  open_.push(std::move(item));
+}
+
+void ExcessSearch::open_box(const Item& item) {
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    Item part = item;
+    part.half = 0.5 * item.half;
+    for (int axis = 0; axis < 3; ++axis) {
+      part.centre[axis] += ((octant >> axis) & 1) ? part.half[axis] : -part.half[axis];
+    }
+    bool centre_is_inside = false;
+    if (!may_meet(*item.region, planes_, part.centre, part.half, centre_is_inside)) continue;
+    const double distance = queries_.distance(part.centre);
+    if (centre_is_inside) attained_ = std::max(attained_, distance);
+    part.bound = std::min(item.bound, distance + glm::length(part.half));
+    if (is_in_question(part.bound)) open_.push(std::move(part));
+  }
+}
+
+}  // namespace
+
+double error_bound(const GreyRegions& regions, const BuiltOctree& built, const Solid& solid,
+                   const SolidQueries& queries) {
+  ExcessSearch search(built, solid, queries, regions.attained);
+  for (const GreyRegions::Candidate& candidate : regions.candidates) {
+    if (candidate.bound > kErrorBoundRatio * regions.attained) {
+      search.add_node(candidate.node, candidate.region, candidate.bound);
+    }
+  }
+  return search.run();
 }
 
 }  // namespace spoctree

@@ -17,25 +17,25 @@ void GreyRegions::add(GreyRegions&& other) {
   other.candidates = {};
 }
 
-/// A region is bounded by the largest distance of its corners from one triangle of the solid: the
-/// distance from a convex set is convex.
+Reach reach_of(const BuiltOctree& built, const Solid& solid, const NodeAddress& grey_node,
+               const Polyhedron& region) {
+  const std::uint32_t grey = built.tree.levels[grey_node.level].first_child[grey_node.index] / 8;
+  const SolidTriangle& witness = solid.triangles[built.witnesses[grey_node.level][grey]];
+  const MeasuredTriangle triangle(solid.vertices[witness.vertex[0]],
+                                  solid.vertices[witness.vertex[1]],
+                                  solid.vertices[witness.vertex[2]]);
+  Reach reach;
+  for (const PolyhedronVertex& vertex : region.vertices) {
+    const double distance = std::sqrt(triangle.squared_distance(vertex.position)) + vertex.error;
+    if (distance >= reach.bound) reach = {distance, &vertex};
+  }
+  return reach;
+}
+
 void LevelSurvey::inner(const NodeAddress& address, const Polyhedron& region) {
   GreyRegions& level = levels_[address.level];
   level.volume.add(volume(region));
-  const std::uint32_t grey = built_.tree.levels[address.level].first_child[address.index] / 8;
-  const SolidTriangle& witness = solid_.triangles[built_.witnesses[address.level][grey]];
-  const MeasuredTriangle triangle(solid_.vertices[witness.vertex[0]],
-                                  solid_.vertices[witness.vertex[1]],
-                                  solid_.vertices[witness.vertex[2]]);
-  double bound = 0;
-  const PolyhedronVertex* farthest = nullptr;
-  for (const PolyhedronVertex& vertex : region.vertices) {
-    const double distance = std::sqrt(triangle.squared_distance(vertex.position)) + vertex.error;
-    if (distance >= bound) {
-      bound = distance;
-      farthest = &vertex;
-    }
-  }
+  const auto [bound, farthest] = reach_of(built_, solid_, address, region);
   if (bound <= kErrorBoundRatio * level.attained) return;
   // A distance that is attained, from the corner that looks farthest, keeps the list short.
   const double distance = queries_.distance(farthest->position) - farthest->error;

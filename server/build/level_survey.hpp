@@ -29,6 +29,16 @@ struct GreyRegions {
   void add(GreyRegions&& other);
 };
 
+/// The corner of a GREY node's region that is farthest from the node's witness triangle, and how
+/// far that is: nothing in the region is farther from the solid, as the distance from a convex set
+/// is convex.
+struct Reach {
+  double bound = 0;
+  const PolyhedronVertex* farthest = nullptr;
+};
+Reach reach_of(const BuiltOctree& built, const Solid& solid, const NodeAddress& grey_node,
+               const Polyhedron& region);
+
 /// Surveys the GREY nodes above `end_level` that a walk leads to. Not thread-safe: one for each
 /// thread.
 class LevelSurvey : public PieceVisitor {
