@@ -3,8 +3,12 @@
 #include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "common/tree/pieces.hpp"
 #include "server/build/error_bound.hpp"
@@ -13,6 +17,12 @@
 namespace spoctree {
 
 namespace {
+
+/// Enough parts of a tree to keep any number of threads busy; always as many, so that the result
+/// does not depend on the threads.
+constexpr std::uint32_t kPartsWanted = 128;
+
+constexpr std::size_t kFirstParts = 4;
 
 /// The share of the survey in all the work, about.
 constexpr double kSurveyShare = 0.8;
@@ -23,19 +33,71 @@ WalkOptions grey_nodes() {
   return options;
 }
 
+/// The level whose nodes are the parts of a survey.
+std::uint32_t choose_part_level(const Octree& tree) {
+  std::uint32_t level = 0;
+  while (level + 1 < tree.levels.size() && tree.levels[level].grey_count < kPartsWanted) ++level;
+  return level;
+}
+
+std::vector<Subtree> parts_at(const Octree& tree, std::uint32_t level) {
+  std::vector<Subtree> parts(1);
+  for (std::uint32_t k = 0; k < level; ++k) {
+    std::vector<Subtree> next;
+    for (const Subtree& part : parts) {
+      std::vector<Subtree> children = children_of(tree, grey_nodes(), part);
+      std::move(children.begin(), children.end(), std::back_inserter(next));
+    }
+    parts = std::move(next);
+  }
+  return parts;
+}
+
+/// Adds what is in the parts, in their order.
+void survey_parts(const BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
+                  std::span<const Subtree> parts, std::vector<GreyRegions>& levels) {
+  std::vector<std::vector<GreyRegions>> surveyed(parts.size());
+  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    LevelSurvey part(built, solid, queries, LevelSurvey::kAllLevels);
+    part.set_attained(levels);
+    walk_pieces(built.tree, grey_nodes(), parts[i], part);
+    surveyed[i] = std::move(part.levels());
+  });
+  for (auto& part : surveyed) {
+    for (std::size_t k = 0; k < levels.size(); ++k) levels[k].add(std::move(part[k]));
+  }
+}
+
+/// The regions of all levels: what is above the parts first, then part by part in their order.
+std::vector<GreyRegions> survey(const BuiltOctree& built, const Solid& solid,
+                                const SolidQueries& queries, ProgressMeter& progress) {
+  const std::uint32_t part_level = choose_part_level(built.tree);
+  LevelSurvey top(built, solid, queries, part_level);
+  walk_pieces(built.tree, grey_nodes(), top);
+  std::vector<GreyRegions> levels = std::move(top.levels());
+  const std::vector<Subtree> parts = parts_at(built.tree, part_level);
+  // What the first few have attained spares the others most of their distances; as many at a time
+  // for any number of threads.
+  for (std::size_t begin = 0; begin < parts.size();) {
+    const std::size_t count = std::min(parts.size() - begin, std::max(kFirstParts, begin));
+    survey_parts(built, solid, queries, std::span(parts).subspan(begin, count), levels);
+    begin += count;
+    progress.add(kSurveyShare * static_cast<double>(count) / static_cast<double>(parts.size()));
+  }
+  return levels;
+}
+
 }  // namespace
 
 void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
              const ProgressReport& report) {
   ProgressMeter progress(report);
   progress.add(0);
-  LevelSurvey survey(built, solid, queries, LevelSurvey::kAllLevels);
-  walk_pieces(built.tree, grey_nodes(), survey);
-  progress.add(kSurveyShare);
-  const std::vector<GreyRegions>& regions = survey.levels();
+  const std::vector<GreyRegions> regions = survey(built, solid, queries, progress);
   std::vector<double> bounds(regions.size(), 0.0);
   oneapi::tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
-    if (built.tree.levels[k].grey_count > 0) bounds[k] = error_bound(regions[k], built, solid, queries);
+    if (built.tree.levels[k].grey_count > 0)
+      bounds[k] = error_bound(regions[k], built, solid, queries);
     progress.add((1 - kSurveyShare) / static_cast<double>(regions.size()));
   });
 

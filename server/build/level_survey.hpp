@@ -60,6 +60,10 @@ class LevelSurvey : public PieceVisitor {
   void inner(const NodeAddress& address, const Polyhedron& region) override;
   void piece(const NodeAddress&, NodeKind, std::uint32_t, const Polyhedron&) override {}
 
+  /// Fewer regions are in question if it is known what others have attained.
+  void set_attained(const std::vector<GreyRegions>& levels) {
+    for (std::size_t k = 0; k < levels_.size(); ++k) levels_[k].attained = levels[k].attained;
+  }
   std::vector<GreyRegions>& levels() { return levels_; }
 
  private:
