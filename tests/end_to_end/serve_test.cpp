@@ -248,5 +248,18 @@ TEST_F(Serve, BuildsTheSameBytesAgain) {
   EXPECT_EQ(read_file(folder_.file("again.spo")), spo_of("saddle"));
 }
 
+TEST_F(Serve, BuildsTheSameBytesWithAnyNumberOfThreads) {
+  const std::string mesh = put("sphere.off", off_of("sphere", 40));
+  for (const char* const threads : {"1", "2", "3", "8"}) {
+    const std::string output = folder_.file(std::string("threads-") + threads + ".spo");
+    const Outcome outcome = run_server({"build", mesh, "-o", output, "--threads", threads});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_TRUE(read_file(output) == spo_of("sphere", 40)) << threads;
+  }
+  for (const char* const threads : {"0", "-1", "x", "1025"}) {
+    EXPECT_EQ(run_server({"build", mesh, "-o", "-", "--threads", threads}).code, 2) << threads;
+  }
+}
+
 }  // namespace
 }  // namespace spoctree::test
