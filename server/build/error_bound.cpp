@@ -11,6 +11,7 @@
 #include "common/geometry/polyhedron_clipper.hpp"
 #include "common/tree/expression.hpp"
 #include "server/build/certify.hpp"
+#include "server/build/convex_distance.hpp"
 
 namespace spoctree {
 
@@ -49,18 +50,22 @@ class ExcessSearch {
         planes_(built.tree.plane_set()),
         attained_(attained) {}
 
-  void add_node(const NodeAddress& grey_node, Polyhedron region, double bound);
+  /// A GREY node of T_k, with its region.
+  void add_node(const NodeAddress& grey_node, const Polyhedron& region, double bound);
   /// Nothing in the nodes added is farther from the solid.
   double run();
 
  private:
   using SharedPolyhedron = std::shared_ptr<const Polyhedron>;
-  /// A GREY node and its region, or a box that matters as far as it is in a part of the excess.
+  using Planes = std::vector<std::uint32_t>;
+  /// A GREY node and what T_k has of its cube, or a box that matters as far as it is in a part of
+  /// the excess.
   struct Item {
     double bound = 0;
     SharedPolyhedron region;
     bool is_node = false;
     NodeAddress node;
+    Planes cuts;  ///< of the node and those above it, up to level k: T_k does not know of them
     Vec3 centre{0.0};
     Vec3 half{0.0};
     bool operator<(const Item& other) const { return bound < other.bound; }
@@ -68,10 +73,12 @@ class ExcessSearch {
 
   bool is_in_question(double bound) const { return bound > kErrorBoundRatio * attained_; }
   void open_node(const Item& item);
-  void open_child(const NodeAddress& child, double bound, Polyhedron region);
-  void open_expression(const NodeAddress& leaf, double bound, const Polyhedron& region);
+  void open_child(const NodeAddress& child, const Item& parent, Polyhedron region);
+  void open_leaf(const NodeAddress& leaf, const Planes& cuts, double bound, Polyhedron region);
+  void add_parts(const std::vector<Polyhedron>& parts, const std::vector<Polyhedron>& pieces,
+                 double bound);
+  void add_part(const Polyhedron& part, double bound);
   void open_box(const Item& item);
-  void add_part(Polyhedron part, double bound);
 
   const BuiltOctree& built_;
   const Solid& solid_;
@@ -82,10 +89,10 @@ class ExcessSearch {
   double attained_;
 };
 
-void ExcessSearch::add_node(const NodeAddress& grey_node, Polyhedron region, double bound) {
+void ExcessSearch::add_node(const NodeAddress& grey_node, const Polyhedron& region, double bound) {
   Item item;
   item.bound = bound;
-  item.region = std::make_shared<const Polyhedron>(std::move(region));
+  item.region = std::make_shared<const Polyhedron>(region);
   item.is_node = true;
   item.node = grey_node;
   open_.push(std::move(item));
@@ -111,7 +118,8 @@ void ExcessSearch::open_node(const Item& item) {
   const std::uint32_t first_child = built_.tree.levels[node.level].first_child[node.index];
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
     const NodeAddress child = node.child(first_child, octant);
-    if (built_.tree.levels[child.level].kinds[child.index] == NodeKind::Black) continue;
+    const NodeKind kind = built_.tree.levels[child.level].kinds[child.index];
+    if (kind == NodeKind::Black && item.cuts.empty()) continue;
     Polyhedron region = *item.region;
     bool has_interior = true;
     for (int axis = 0; axis < 3 && has_interior; ++axis) {
@@ -120,63 +128,98 @@ void ExcessSearch::open_node(const Item& item) {
       has_interior =
           clipper_.clip(region, is_upper ? middle.flipped() : middle, planes_) != ClipResult::Empty;
     }
-    if (has_interior) open_child(child, item.bound, std::move(region));
+    if (has_interior) open_child(child, item, std::move(region));
   }
 }
 
-void ExcessSearch::open_child(const NodeAddress& child, double bound, Polyhedron region) {
+void ExcessSearch::open_child(const NodeAddress& child, const Item& parent, Polyhedron region) {
   const Level& level = built_.tree.levels[child.level];
-  const NodeKind kind = level.kinds[child.index];
-  if (kind == NodeKind::White) {
-    add_part(std::move(region), bound);
+  if (level.kinds[child.index] != NodeKind::Grey) {
+    open_leaf(child, parent.cuts, parent.bound, std::move(region));
     return;
   }
-  if (kind == NodeKind::Concave || kind == NodeKind::Vertex) {
-    open_expression(child, bound, region);
-    return;
-  }
-  Polyhedron inside, outside;
-  for (const std::uint32_t plane : level.planes_of(child.index)) {
-    const auto parts = clipper_.split(region, PlaneRef::of_table(plane), planes_, inside, outside);
-    if (parts.outside) add_part(outside, bound);
-    if (!parts.inside) return;
-    std::swap(region, inside);
-  }
-  if (kind != NodeKind::Grey) return;
-  const double reach = std::min(bound, reach_of(built_, solid_, child, region).bound);
-  if (is_in_question(reach)) add_node(child, std::move(region), reach);
+  Item item;
+  item.bound = std::min(parent.bound, reach_of(built_, solid_, child, region).bound);
+  if (!is_in_question(item.bound)) return;
+  item.region = std::make_shared<const Polyhedron>(std::move(region));
+  item.is_node = true;
+  item.node = child;
+  item.cuts = parent.cuts;
+  const auto planes = level.planes_of(child.index);
+  item.cuts.insert(item.cuts.end(), planes.begin(), planes.end());
+  open_.push(std::move(item));
 }
 
-void ExcessSearch::open_expression(const NodeAddress& leaf, double bound,
-                                   const Polyhedron& region) {
+/// Divides what T_k has of a leaf's cube into pieces of material and parts of the excess.
+void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double bound,
+                             Polyhedron region) {
   const Level& level = built_.tree.levels[leaf.level];
+  const NodeKind kind = level.kinds[leaf.index];
+  if (kind == NodeKind::White) {
+    add_part(region, bound);
+    return;
+  }
+  std::vector<Polyhedron> parts, pieces;
+  Polyhedron inside, outside;
+  // What is left of the region within the half-space.
+  const auto cut = [&](std::uint32_t plane) {
+    const auto found = clipper_.split(region, PlaneRef::of_table(plane), planes_, inside, outside);
+    if (found.outside) parts.push_back(outside);
+    std::swap(region, inside);
+    return found.inside;
+  };
   const auto planes = level.planes_of(leaf.index);
+  bool has_rest = std::all_of(cuts.begin(), cuts.end(), cut);
+  if (kind == NodeKind::Convex) {
+    has_rest = has_rest && std::all_of(planes.begin(), planes.end(), cut);
+  }
+  if (!has_rest) {
+    add_parts(parts, pieces, bound);
+    return;
+  }
+  if (kind == NodeKind::Black || kind == NodeKind::Convex) {
+    pieces.push_back(std::move(region));
+    add_parts(parts, pieces, bound);
+    return;
+  }
   std::vector<std::uint32_t> tokens;
-  if (level.kinds[leaf.index] == NodeKind::Concave) {
+  if (kind == NodeKind::Concave) {
     tokens = union_of(static_cast<std::uint32_t>(planes.size()));
   } else {
     const auto expression = level.expression_of(leaf.index);
     tokens.assign(expression.begin(), expression.end());
   }
-  // Splits within each other are as many as the node has planes: no recursion.
-  std::vector<std::pair<Polyhedron, const std::uint32_t*>> parts{{region, tokens.data()}};
-  while (!parts.empty()) {
-    auto [part, token] = std::move(parts.back());
-    parts.pop_back();
-    if (*token == kInToken) continue;
-    if (*token == kOutToken) {
-      add_part(std::move(part), bound);
+  // There are as many splits within each other as the node has planes: no recursion.
+  std::vector<std::pair<Polyhedron, const std::uint32_t*>> open{{std::move(region), tokens.data()}};
+  while (!open.empty()) {
+    auto [cell, token] = std::move(open.back());
+    open.pop_back();
+    if (*token < kFirstPlaneToken) {
+      (*token == kInToken ? pieces : parts).push_back(std::move(cell));
       continue;
     }
     const PlaneRef plane = PlaneRef::of_table(planes[*token - kFirstPlaneToken]);
-    Polyhedron inside, outside;
-    const auto found = clipper_.split(part, plane, planes_, inside, outside);
-    if (found.inside) parts.emplace_back(std::move(inside), token + 1);
-    if (found.outside) parts.emplace_back(std::move(outside), skip_expression(token + 1));
+    const auto found = clipper_.split(cell, plane, planes_, inside, outside);
+    if (found.inside) open.emplace_back(inside, token + 1);
+    if (found.outside) open.emplace_back(outside, skip_expression(token + 1));
+  }
+  add_parts(parts, pieces, bound);
+}
+
+/// Parts beside pieces of material, which they may cover as thin sheets.
+void ExcessSearch::add_parts(const std::vector<Polyhedron>& parts,
+                             const std::vector<Polyhedron>& pieces, double bound) {
+  for (const Polyhedron& part : parts) {
+    double least = bound;
+    for (const Polyhedron& piece : pieces) {
+      if (!is_in_question(least)) break;
+      least = std::min(least, largest_distance(part, piece, planes_));
+    }
+    if (is_in_question(least)) add_part(part, least);
   }
 }
 
-void ExcessSearch::add_part(Polyhedron part, double bound) {
+void ExcessSearch::add_part(const Polyhedron& part, double bound) {
   Vec3 lower = part.vertices.front().position;
   Vec3 upper = lower;
   for (const PolyhedronVertex& vertex : part.vertices) {
@@ -196,7 +239,7 @@ void ExcessSearch::add_part(Polyhedron part, double bound) {
     attained_ = std::max(attained_, queries_.distance(vertex.position) - vertex.error);
   }
   if (!is_in_question(item.bound)) return;
-  item.region = std::make_shared<const Polyhedron>(std::move(part));
+  item.region = std::make_shared<const Polyhedron>(part);
   open_.push(std::move(item));
 }
 

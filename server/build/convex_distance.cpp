@@ -1,0 +1,56 @@
+#include "server/build/convex_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+
+namespace spoctree {
+
+namespace {
+
+double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
+  const Vec3 way = b - a;
+  const double squared = glm::dot(way, way);
+  const double t = squared > 0 ? glm::clamp(glm::dot(p - a, way) / squared, 0.0, 1.0) : 0.0;
+  return glm::distance(p, a + t * way);
+}
+
+/// The distance of a point from a convex polyhedron's boundary, up to the errors of its vertices:
+/// the nearest point is below the point in a face, or on an edge.
+double distance_to_boundary(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Polyhedron::Face& face : piece.faces) {
+    const Plane plane = planes[face.plane];
+    const auto loop = piece.loop(face);
+    bool is_over_face = true;
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const Vec3 a = piece.vertices[loop[i].vertex].position;
+      const Vec3 b = piece.vertices[loop[i + 1 == loop.size() ? 0 : i + 1].vertex].position;
+      least = std::min(least, distance_to_segment(p, a, b));
+      if (glm::dot(glm::cross(plane.normal, b - a), p - a) < 0) is_over_face = false;
+    }
+    if (is_over_face) {
+      least = std::min(least, std::abs(glm::dot(plane.normal, p) - plane.offset));
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+double largest_distance(const Polyhedron& part, const Polyhedron& piece, const PlaneSet& planes) {
+  double piece_error = 0;
+  for (const PolyhedronVertex& vertex : piece.vertices) {
+    piece_error = std::max(piece_error, vertex.error);
+  }
+  double largest = 0;
+  for (const PolyhedronVertex& vertex : part.vertices) {
+    largest = std::max(largest, distance_to_boundary(piece, planes, vertex.position) +
+                                    2 * (vertex.error + piece_error));
+  }
+  return largest;
+}
+
+}  // namespace spoctree
