@@ -36,13 +36,20 @@ constexpr std::uint32_t bit(unsigned k) { return std::uint32_t{1} << k; }
 bool CellCorners::find(const NodeAddress& cell, NodeKind kind,
                        std::span<const std::uint32_t> planes,
                        std::span<const std::uint32_t> expression,
-                       std::span<const std::uint32_t> bounds, CornerSum& sum) {
+                       std::span<const std::uint32_t> bounds, std::size_t near_bounds,
+                       CornerSum& sum) {
   if (!take_planes(kind, planes, expression, bounds)) return false;
   take_walls(cell);
-  found_.clear();
-  points_.clear();
-  if (!find_cube_corners() || !find_on_edges() || !find_on_faces() || !find_inside()) return false;
-  for (const Found& found : found_) {
+  found_count_ = 0;
+  point_count_ = 0;
+  if (!find_sides_of_cube()) return false;
+  if (near_bounds < bounds.size()) {
+    drop_far_bounds(static_cast<unsigned>(planes.size() + near_bounds), planes.size());
+  }
+  find_cube_corners();
+  if (!find_on_edges() || !find_on_faces() || !find_inside()) return false;
+  for (unsigned i = 0; i < found_count_; ++i) {
+    const Found& found = found_[i];
     sum.add(found.planes[0], found.planes[1], found.planes[2], found.count);
   }
   return true;
@@ -117,11 +124,10 @@ void CellCorners::take_walls(const NodeAddress& cell) {
   for (int i = 0; i < 6; ++i) wall_numbers_[i] = carriers_.number_of(walls_[i]);
 }
 
-bool CellCorners::find_cube_corners() {
+bool CellCorners::find_sides_of_cube() {
   for (Point& corner : corners_) {
     corner.sides = 0;
     corner.error = kRounding;
-    if (count_ % 2 == 1) corner.values[count_] = 0;
   }
   for (unsigned k = 0; k < count_; ++k) {
     const Plane& plane = coefficients_[k];
@@ -141,51 +147,68 @@ bool CellCorners::find_cube_corners() {
       corners_[i].sides |= static_cast<Sides>(is_outside) << k;
     }
   }
+  return true;
+}
+
+/// A corner of the cube inside all bounds is proof that something of the region is in the cell.
+void CellCorners::drop_far_bounds(unsigned near, std::size_t own) {
+  const Sides bounds = ~(bit(static_cast<unsigned>(own)) - 1);
+  if (std::all_of(corners_, corners_ + 8,
+                  [&](const Point& corner) { return (corner.sides & bounds) != 0; })) {
+    return;
+  }
+  count_ = near;
+  for (Point& corner : corners_) corner.sides &= bit(near) - 1;
+}
+
+void CellCorners::find_cube_corners() {
   for (unsigned i = 0; i < 8; ++i) {
     if (!is_material(corners_[i].sides)) continue;
     const int sign = std::popcount(i) % 2 == 1 ? 1 : -1;
     add(wall_numbers_[i & 1], wall_numbers_[2 + ((i >> 1) & 1)], wall_numbers_[4 + (i >> 2)], sign);
   }
-  return true;
 }
 
-/// The values of all planes where the line through `from` and `to` meets the k-th one, which
-/// separates them.
-void CellCorners::interpolate(const Point& from, const Point& to, unsigned k, Point& point) const {
+/// Where the line through `from` and `to` meets the k-th plane, which is one of those that separate
+/// them: the values of all planes, and the sides as these say. Returns the planes whose side is in
+/// doubt. Without branches, as far as it goes: no processor foresees a sign.
+CellCorners::Sides CellCorners::interpolate(const Point& from, const Point& to, unsigned k,
+                                            Point& point) const {
   const double span = from.values[k] - to.values[k];
   const double error = std::max(from.error, to.error);
+  const Sides separating = from.sides ^ to.sides;
+  point.sides = from.sides & ~separating;
+  const Sides others = separating & ~bit(k);
   if (!(std::abs(span) > 4 * error)) {
     std::fill(point.values, point.values + count_, 0.0);
     point.error = kUnknown;
-    return;
+    return others;
   }
   const double scale = 1 / span;
   const double along = from.values[k] * scale;
-  // By twos: what is behind the last plane does not matter.
-  for (unsigned j = 0; j < count_; j += 2) {
-    point.values[j] = from.values[j] + along * (to.values[j] - from.values[j]);
-    point.values[j + 1] = from.values[j + 1] + along * (to.values[j + 1] - from.values[j + 1]);
-  }
   // With distances a and b that err by e, the parameter a / (a - b) errs by at most e / |a - b|.
   point.error = 1.5 * error + error * longest_ * std::abs(scale) + kRounding;
+  Sides outside = 0;
+  Sides in_doubt = 0;
+  for (unsigned j = 0; j < count_; ++j) {
+    const double value = from.values[j] + along * (to.values[j] - from.values[j]);
+    point.values[j] = value;
+    outside |= static_cast<Sides>(value > 0) << j;
+    in_doubt |= static_cast<Sides>(!(std::abs(value) > point.error)) << j;
+  }
+  point.sides |= outside & others;
+  return in_doubt & others;
 }
 
-/// The line through `from` and `to` lies on the planes `on` and `also_on`; the point in which it
-/// meets the k-th plane, one of those that separate the ends. False if more planes meet there.
-bool CellCorners::cross(const Point& from, const Point& to, Sides separating, unsigned k,
-                        PlaneRef on, PlaneRef also_on, Point& point) const {
-  interpolate(from, to, k, point);
-  point.sides = from.sides & ~separating;
-  return for_each_bit(separating & ~bit(k), [&](unsigned j) {
-    const double value = point.values[j];
-    int side = value > 0 ? 1 : -1;
-    if (!(std::abs(value) > point.error)) {
-      side =
-          side_of_intersection(planes_[on], planes_[also_on], coefficients_[k], coefficients_[j]);
-      if (side == 0) return false;
-    }
-    if (side > 0) point.sides |= bit(j);
-    return true;
+/// The same on the planes `on` and `also_on`, with all sides for certain. False if more planes meet
+/// there.
+bool CellCorners::cross(const Point& from, const Point& to, unsigned k, PlaneRef on,
+                        PlaneRef also_on, Point& point) const {
+  return for_each_bit(interpolate(from, to, k, point), [&](unsigned j) {
+    const int side =
+        side_of_intersection(planes_[on], planes_[also_on], coefficients_[k], coefficients_[j]);
+    point.sides = side > 0 ? point.sides | bit(j) : point.sides & ~bit(j);
+    return side != 0;
   });
 }
 
@@ -193,31 +216,39 @@ bool CellCorners::cross(const Point& from, const Point& to, Sides separating, un
 /// planes pass through about one point where a vertex of the solid is: a side that is in doubt is
 /// only looked for if the sum depends on it. Nothing if four planes meet.
 std::optional<int> CellCorners::sum_inside(const Point& from, const Point& to, unsigned k,
-                                           unsigned l, unsigned m) const {
+                                           unsigned l, unsigned m) {
   Point point;
-  interpolate(from, to, m, point);
-  const Sides separating = from.sides ^ to.sides;
-  Sides sides = from.sides & ~separating;
-  Sides in_doubt = 0;
-  for_each_bit(separating & ~bit(m), [&](unsigned j) {
-    if (!(std::abs(point.values[j]) > point.error)) {
-      in_doubt |= bit(j);
-    } else if (point.values[j] > 0) {
-      sides |= bit(j);
-    }
-    return true;
-  });
+  Sides in_doubt = interpolate(from, to, m, point);
+  Sides sides = point.sides & ~in_doubt;
   const std::uint64_t counts = where_not_zero(bit(k) | bit(l) | bit(m));
   while (may_count(counts, sides, in_doubt)) {
     if (in_doubt == 0) return alternating_sum(sides, bit(k), bit(l), bit(m));
     const auto j = static_cast<unsigned>(std::countr_zero(in_doubt));
-    const int side = side_of_intersection(coefficients_[k], coefficients_[l], coefficients_[m],
-                                          coefficients_[j]);
+    const int side = side_inside(k, l, m, (to.sides & bit(m)) != 0, j);
     if (side == 0) return std::nullopt;
     if (side > 0) sides |= bit(j);
     in_doubt &= in_doubt - 1;
   }
   return 0;
+}
+
+/// The side of plane j where k < l < m meet, whose normals have a determinant of the given sign.
+/// Four planes that meet in about one point ask four times for the sign of one determinant.
+int CellCorners::side_inside(unsigned k, unsigned l, unsigned m, bool is_positive, unsigned j) {
+  // The set of the four in ascending order, and how many it takes to pass by to put j last.
+  const unsigned passed = (j < k) + (j < l) + (j < m);
+  const unsigned a = std::min(k, j);
+  const unsigned b = std::min(l, std::max(k, j));
+  const unsigned c = std::min(m, std::max(l, j));
+  const unsigned d = std::max(m, j);
+  signed char& sign = signs_[a + b * (b - 1) / 2 + c * (c - 1) * (c - 2) / 6 +
+                             d * (d - 1) * (d - 2) * (d - 3) / 24];
+  if (sign == kUnknownSign) {
+    sign = static_cast<signed char>(
+        determinant_sign(coefficients_[a], coefficients_[b], coefficients_[c], coefficients_[d]));
+  }
+  // See side_of_intersection.
+  return (passed % 2 == 0) == is_positive ? -sign : sign;
 }
 
 /// For sides of the own planes, if these are few: where the alternating sum over some planes is not
@@ -278,10 +309,9 @@ bool CellCorners::find_on_edges() {
       const unsigned f = 2 * u + u_upper;
       const unsigned g = 2 * v + v_upper;
       const bool is_fine = for_each_bit(separating, [&](unsigned k) {
-        const auto number = static_cast<std::uint32_t>(points_.size());
-        points_.resize_unset(number + 1);
-        Point& point = points_.back();
-        if (!cross(from, to, separating, k, walls_[f], walls_[g], point)) return false;
+        const std::uint32_t number = point_count_++;
+        Point& point = points_[number];
+        if (!cross(from, to, k, walls_[f], walls_[g], point)) return false;
         // The sign of the determinant of the outward normals of f, g and k.
         const bool is_positive = (u_upper == v_upper) == ((to.sides & bit(k)) != 0);
         const int sum = alternating_sum(point.sides, bit(k));
@@ -311,12 +341,11 @@ bool CellCorners::find_on_faces() {
       // The other ones have been here before.
       const Sides later = separating & ~(bit(k + 1) - 1);
       const bool is_fine = for_each_bit(later, [&](unsigned l) {
-        const auto number = static_cast<std::uint32_t>(points_.size());
-        points_.resize_unset(number + 1);
+        const std::uint32_t number = point_count_++;
         const Point& from = points_[ends.entry];
         const Point& to = points_[ends.exit];
-        Point& point = points_.back();
-        if (!cross(from, to, separating, l, walls_[f], refs_[k], point)) return false;
+        Point& point = points_[number];
+        if (!cross(from, to, l, walls_[f], refs_[k], point)) return false;
         const bool is_positive = (to.sides & bit(l)) != 0;
         const int sum = alternating_sum(point.sides, bit(k), bit(l));
         add(wall_numbers_[f], numbers_[k], numbers_[l], is_positive ? sum : -sum);
@@ -330,6 +359,9 @@ bool CellCorners::find_on_faces() {
 }
 
 bool CellCorners::find_inside() {
+  if (count_ < 3) return true;
+  const unsigned n = count_;
+  if (n > 3) std::fill(signs_, signs_ + n * (n - 1) * (n - 2) * (n - 3) / 24, kUnknownSign);
   for (unsigned k = 0; k + 2 < count_; ++k) {
     for (unsigned l = k + 1; l + 1 < count_; ++l) {
       const Ends ends = inside_[k][l];

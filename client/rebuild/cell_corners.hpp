@@ -25,28 +25,35 @@ namespace spoctree {
 class CellCorners {
  public:
   CellCorners(const Octree& tree, const Carriers& carriers)
-      : planes_(tree.plane_set()), carriers_(carriers) {}
+      : planes_(tree.plane_set()), carriers_(carriers) {
+    points_.resize_unset(kMostPoints);
+    found_.resize_unset(8 + kMostPoints + kMostInside + 1);
+  }
 
   /// Adds to `sum` the corners of the material in a cell: of the region inside all planes of
-  /// `bounds`, that part that a node of this kind takes (GREY: all inside its planes). False, and
+  /// `bounds`, that part that a node of this kind takes (GREY: all inside its planes). If anything
+  /// of the region is in the cell, the first `near_bounds` of the bounds bound it. False, and
   /// nothing is added, if the cell is not for this: planes that meet where they need not (four in a
   /// point, or one in a corner of the cube), or too many planes.
   /// O(the points of the arrangement).
   bool find(const NodeAddress& cell, NodeKind kind, std::span<const std::uint32_t> planes,
             std::span<const std::uint32_t> expression, std::span<const std::uint32_t> bounds,
-            CornerSum& sum);
+            std::size_t near_bounds, CornerSum& sum);
 
  private:
   /// More are left to others: own planes of VERTEX and CONCAVE nodes, and planes altogether.
   static constexpr unsigned kMaxOwnPlanes = 10;
   static constexpr unsigned kMaxPlanes = 14;
+  /// On the edges and on the faces of the cube, and inside.
+  static constexpr unsigned kMostPoints = 12 * kMaxPlanes + 6 * (kMaxPlanes * (kMaxPlanes - 1) / 2);
+  static constexpr unsigned kMostInside = kMaxPlanes * (kMaxPlanes - 1) * (kMaxPlanes - 2) / 6;
   /// Sides of the planes: bit k is set if outside the k-th.
   using Sides = std::uint32_t;
 
   struct Point {
-    Sides sides;                ///< of the planes that do not meet here; 0 for those that do
-    double error;               ///< bound for all values
-    double values[kMaxPlanes];  // an even number
+    Sides sides;   ///< of the planes that do not meet here; 0 for those that do
+    double error;  ///< bound for all values
+    double values[kMaxPlanes];
   };
   /// Where a line enters the cube and where it leaves, as numbers of points.
   struct Ends {
@@ -57,6 +64,7 @@ class CellCorners {
     std::uint32_t planes[3];
     std::int32_t count;
   };
+  static constexpr signed char kUnknownSign = 2;
   static constexpr auto kNone = static_cast<std::uint32_t>(-1);
 
   bool take_planes(NodeKind kind, std::span<const std::uint32_t> planes,
@@ -64,22 +72,26 @@ class CellCorners {
                    std::span<const std::uint32_t> bounds);
   void tabulate(std::span<const std::uint32_t> expression);
   void take_walls(const NodeAddress& cell);
-  bool find_cube_corners();
+  bool find_sides_of_cube();
+  void drop_far_bounds(unsigned near, std::size_t own);
+  void find_cube_corners();
   bool find_on_edges();
   bool find_on_faces();
   bool find_inside();
-  void interpolate(const Point& from, const Point& to, unsigned k, Point& point) const;
-  bool cross(const Point& from, const Point& to, Sides separating, unsigned k, PlaneRef on,
-             PlaneRef also_on, Point& point) const;
+  Sides interpolate(const Point& from, const Point& to, unsigned k, Point& point) const;
+  bool cross(const Point& from, const Point& to, unsigned k, PlaneRef on, PlaneRef also_on,
+             Point& point) const;
   std::optional<int> sum_inside(const Point& from, const Point& to, unsigned k, unsigned l,
-                                unsigned m) const;
+                                unsigned m);
+  int side_inside(unsigned k, unsigned l, unsigned m, bool is_positive, unsigned j);
   bool may_count(std::uint64_t where_not_zero, Sides sides, Sides in_doubt) const;
   std::uint64_t where_not_zero(Sides meeting) const;
   void put_end(Ends& ends, bool is_exit, std::uint32_t point) const;
 
   bool is_material(Sides sides) const {
     const Sides own = sides & own_mask_;
-    return (sides & ~own_mask_) == 0 && ((material_[own >> 6] >> (own & 63)) & 1) != 0;
+    return static_cast<bool>(((sides & ~own_mask_) == 0) &
+                             ((material_[own >> 6] >> (own & 63)) & 1));
   }
   /// The alternating sum over the sectors of planes that meet in a point.
   int alternating_sum(Sides sides, Sides k) const {
@@ -92,7 +104,8 @@ class CellCorners {
     return alternating_sum(sides, k, l) - alternating_sum(sides | m, k, l);
   }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, int count) {
-    if (count != 0) found_.push_back({{a, b, c}, count});
+    found_[found_count_] = {{a, b, c}, count};
+    found_count_ += count != 0 ? 1 : 0;
   }
 
   const PlaneSet planes_;
@@ -111,10 +124,14 @@ class CellCorners {
   double at_[6];
   double longest_ = 0;  ///< no two points of the cell have values that differ by more
   Point corners_[8];
-  PlainVector<Point> points_;
+  PlainVector<Point> points_;  // room for all: an array
+  unsigned point_count_ = 0;
   Ends on_face_[6][kMaxPlanes];          // the line of a face and a plane
   Ends inside_[kMaxPlanes][kMaxPlanes];  // the line of two planes, the first one first
-  PlainVector<Found> found_;
+  PlainVector<Found> found_;             // likewise, and for one more
+  unsigned found_count_ = 0;
+  /// Signs of determinants of four planes, by the set of the four; kUnknownSign if not asked for.
+  signed char signs_[kMaxPlanes * (kMaxPlanes - 1) * (kMaxPlanes - 2) * (kMaxPlanes - 3) / 24];
 };
 
 }  // namespace spoctree

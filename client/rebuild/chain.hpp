@@ -1,7 +1,7 @@
 // The boundary of the faces of every plane, as a chain of edges between vertices.
 //
-// Why the rebuilt surface is closed, whatever the rounding: every piece is a polyhedron, each of
-// its edges belongs to two faces, once each way. Replacing a vertex by another one (welding), an
+// Why the rebuilt surface is closed, whatever the rounding: every edge of a polyhedron belongs to
+// two faces, once each way, and so it is in a sum. Replacing a vertex by another one (welding), an
 // edge by a path (cutting a line at the ends on it, or an edge at a vertex near it) or a path by an
 // edge (dropping a straight vertex) is done to all faces alike. So the sum over all faces stays
 // zero on every edge, and what is traced into loops afterwards is closed. Tolerances only decide

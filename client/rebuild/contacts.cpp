@@ -198,7 +198,7 @@ Chain apply_cuts(const Chain& chain, std::vector<Cut>& cuts, std::vector<bool>& 
 
 }  // namespace
 
-void resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& welder) {
+bool resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& welder) {
   // Cuts bend edges by less than the tolerance, which may make new contacts: a few rounds.
   constexpr int kMaxRounds = 16;
   std::vector<bool> active(carriers.count(), true);
@@ -210,11 +210,12 @@ void resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& weld
     for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
       if (rows.begin[carrier] < rows.begin[carrier + 1]) finder.find(chain, rows, carrier);
     }
-    if (cuts.empty()) return;
+    if (cuts.empty()) return round > 0;
     Chain cut_chain = apply_cuts(chain, cuts, active);
     chain.swap(cut_chain);
     normalize(chain, welder.vertices().size());
   }
+  return true;
 }
 
 }  // namespace spoctree

@@ -8,8 +8,9 @@ namespace spoctree {
 /// Cuts edges of the chain where, in a plane that both belong to, a vertex lies on them within the
 /// welder's tolerance (then what lies on top of each other cancels: faces of no width vanish) or
 /// where two of them cross (material on both sides of a cell wall, overlapping in part). An edge is
-/// cut for all its planes alike. Normalized before and after. O(n log n) as a rule in the edges of
+/// cut for all its planes alike. Normalized before and after. Returns true if
+/// it cut any. O(n log n) as a rule in the edges of
 /// a plane.
-void resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& welder);
+bool resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& welder);
 
 }  // namespace spoctree

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "client/rebuild/flat_index.hpp"
+
 namespace spoctree {
 
 /// A point in which three planes meet, as numbers in ascending order (Carriers::number_of), and how
@@ -23,19 +25,16 @@ class CornerSum {
  public:
   /// `a`, `b` and `c` in any order; `count` holds for this one.
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::int32_t count) {
-    if (a > b) {
-      std::swap(a, b);
-      count = -count;
-    }
-    if (b > c) {
-      std::swap(b, c);
-      count = -count;
-      if (a > b) {
-        std::swap(a, b);
-        count = -count;
-      }
-    }
-    add_sorted({{a, b, c}, count});
+    // Without branches: no processor foresees them.
+    const bool swaps_first = a > b;
+    const std::uint32_t low = std::min(a, b);
+    const std::uint32_t high = std::max(a, b);
+    const bool swaps_last = high > c;
+    const std::uint32_t middle = std::min(high, c);
+    const bool swaps_again = low > middle;
+    const std::int32_t is_odd = swaps_first ^ swaps_last ^ swaps_again;
+    add_sorted({{std::min(low, middle), std::max(low, middle), std::max(high, c)},
+                (count ^ -is_odd) + is_odd});
   }
 
   void add_sorted(const CornerCount& corner) {
@@ -65,10 +64,9 @@ class CornerSum {
 
  private:
   std::size_t start_of(const CornerCount& corner) const {
-    const std::uint64_t line =
-        (std::uint64_t{corner.planes[0]} << 32 | corner.planes[1]) * 0x9e3779b97f4a7c15u;
-    const std::uint64_t key = (line ^ corner.planes[2]) * 0xd6e8feb86659fd93u;
-    return (key ^ (key >> 32)) & (slots_.size() - 1);
+    const std::uint64_t last = corner.planes[2] * 0x9e3779b97f4a7c15u;
+    const std::uint64_t key = std::uint64_t{corner.planes[0]} << 32 | corner.planes[1];
+    return mix_bits(key ^ last) & (slots_.size() - 1);
   }
 
   void grow() {

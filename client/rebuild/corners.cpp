@@ -16,7 +16,7 @@ namespace spoctree {
 namespace {
 
 /// A subtree of at most so many nodes is one task.
-constexpr std::uint32_t kNodesPerTask = 2048;
+constexpr std::uint32_t kNodesPerTask = 512;
 
 /// The corners of a part of the tree, inside its cube and on its walls: these may meet others.
 struct Part {
@@ -53,15 +53,17 @@ class PartWalker {
         polyhedron_corners_(carriers, sum),
         storage_(tree.levels.size()) {}
 
-  /// `bounds` are the ancestors' planes that may cut the node's cube; `parent_region` may be null.
+  /// `bounds` are the ancestors' planes that may cut the node's cube, the first `near_bounds` those
+  /// that do if any does (see CellRegions::select); `parent_region` may be null.
   void visit(const NodeAddress& node, std::span<const std::uint32_t> bounds,
-             const Polyhedron* parent_region) {
+             std::size_t near_bounds, const Polyhedron* parent_region) {
     const Level& level = tree_.levels[node.level];
     const NodeKind kind = level.kinds[node.index];
     if (kind == NodeKind::White) return;
     const auto planes = level.planes_of(node.index);
     if (kind != NodeKind::Grey || node.level == last_level_) {
-      if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds, sum_)) {
+      if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds,
+                              near_bounds, sum_)) {
         visit_pieces(node, bounds);
       }
       return;
@@ -84,7 +86,8 @@ class PartWalker {
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       const NodeAddress child = parent.child(first_child, octant);
       // A node is done with `bounds_` when it comes to its children.
-      if (regions_.select(frame, child, bounds_)) visit(child, bounds_, region);
+      std::size_t near = 0;
+      if (regions_.select(frame, child, bounds_, near)) visit(child, bounds_, near, region);
     }
     regions_.close(frame);
   }
@@ -115,27 +118,50 @@ class CornerFinder {
     count_nodes();
   }
 
-  Part find(const Subtree& subtree) const {
-    Part part;
+  Part find() const { return find({}, {}, nullptr); }
+
+ private:
+  /// A child that is left to do, with the planes that may cut it.
+  struct Child {
+    NodeAddress node;
+    std::vector<std::uint32_t> bounds;
+  };
+
+  Part find(const NodeAddress& node, std::span<const std::uint32_t> bounds,
+            const Polyhedron* parent_region) const {
     CornerSum sum;
-    if (is_task(subtree.root)) {
-      PartWalker(tree_, last_level_, carriers_, sum).visit(subtree.root, subtree.planes, nullptr);
-    } else {
-      const std::vector<Subtree> children = children_of(tree_, {}, subtree);
-      std::vector<Part> parts(children.size());
-      tbb::parallel_for(std::size_t{0}, children.size(),
-                        [&](std::size_t i) { parts[i] = find(children[i]); });
-      for (Part& child : parts) {
-        part.inside.insert(part.inside.end(), child.inside.begin(), child.inside.end());
-        for (const CornerCount& corner : child.on_walls) sum.add_sorted(corner);
-        child = {};
+    Part part;
+    if (is_task(node)) {
+      PartWalker(tree_, last_level_, carriers_, sum)
+          .visit(node, bounds, bounds.size(), parent_region);
+      divide(sum, node, carriers_, part);
+      return part;
+    }
+    const Level& level = tree_.levels[node.level];
+    Polyhedron region;
+    std::vector<Child> children;
+    CellRegions regions(tree_);
+    if (regions.make(node, bounds, parent_region, region) &&
+        regions.clip(region, level.planes_of(node.index))) {
+      const auto frame = regions.open(&region);
+      for (std::uint32_t octant = 0; octant < 8; ++octant) {
+        Child child{node.child(level.first_child[node.index], octant), {}};
+        if (regions.select(frame, child.node, child.bounds)) children.push_back(std::move(child));
       }
     }
-    divide(sum, subtree.root, carriers_, part);
+    std::vector<Part> parts(children.size());
+    tbb::parallel_for(std::size_t{0}, children.size(), [&](std::size_t i) {
+      parts[i] = find(children[i].node, children[i].bounds, &region);
+    });
+    for (Part& child : parts) {
+      part.inside.insert(part.inside.end(), child.inside.begin(), child.inside.end());
+      for (const CornerCount& corner : child.on_walls) sum.add_sorted(corner);
+      child = {};
+    }
+    divide(sum, node, carriers_, part);
     return part;
   }
 
- private:
   /// Counts the nodes below every GREY node, from the last level up.
   void count_nodes() {
     nodes_below_.resize(last_level_);
@@ -168,7 +194,7 @@ class CornerFinder {
 
 std::vector<CornerCount> find_corners(const Octree& tree, std::uint32_t level,
                                       const Carriers& carriers) {
-  Part part = CornerFinder(tree, level, carriers).find(Subtree{});
+  Part part = CornerFinder(tree, level, carriers).find();
   part.inside.insert(part.inside.end(), part.on_walls.begin(), part.on_walls.end());
   return std::move(part.inside);
 }

@@ -1,5 +1,7 @@
 #include "client/rebuild/face_builder.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -26,8 +28,12 @@ class FaceBuilder {
     }
     const PlaneFrame frame(carriers_.plane(carrier), false);
     tracer_.trace(edges_, frame, positions_, loops_);
-    if (sides == 1 || is_evidently_front(chain)) {
+    if (sides == 1 || turn_all(chain, true)) {
       add_faces(front, frame);
+      return;
+    }
+    if (turn_all(chain, false)) {
+      trace_and_add(back);
       return;
     }
     collect_counted(chain);
@@ -56,13 +62,15 @@ class FaceBuilder {
     }
   }
 
-  /// Separate counter-clockwise loops only: no face looks the other way.
-  bool is_evidently_front(std::span<const ChainEdge> chain) const {
-    return !loops_.branches && std::all_of(chain.begin(), chain.end(), [](const ChainEdge& use) {
-      return std::abs(use.count) == 1;
-    }) && std::all_of(loops_.loops.begin(), loops_.loops.end(), [](const TracedLoops::Loop& loop) {
-      return loop.area > 0;
-    });
+  /// Separate loops of one direction only: a hole has a loop of the other direction around it, so
+  /// these are faces that look all the same way.
+  bool turn_all(std::span<const ChainEdge> chain, bool counter_clockwise) const {
+    const auto is_single = [](const ChainEdge& use) { return std::abs(use.count) == 1; };
+    const auto turns = [&](const TracedLoops::Loop& loop) {
+      return counter_clockwise ? loop.area > 0 : loop.area < 0;
+    };
+    return !loops_.branches && std::all_of(chain.begin(), chain.end(), is_single) &&
+           std::all_of(loops_.loops.begin(), loops_.loops.end(), turns);
   }
 
   void trace_and_add(CarrierSide side) {
@@ -143,6 +151,19 @@ class FaceBuilder {
   std::vector<std::vector<std::uint32_t>> holes_of_;
 };
 
+void append(const Surface& part, Surface& surface) {
+  const auto first_vertex = static_cast<std::uint32_t>(surface.loop_vertices.size());
+  const auto first_loop = static_cast<std::uint32_t>(surface.loops.size());
+  surface.loop_vertices.insert(surface.loop_vertices.end(), part.loop_vertices.begin(),
+                               part.loop_vertices.end());
+  for (const Surface::Loop& loop : part.loops) {
+    surface.loops.push_back({first_vertex + loop.first, loop.count});
+  }
+  for (const Surface::Face& face : part.faces) {
+    surface.faces.push_back({face.plane, first_loop + face.first_loop, face.loop_count});
+  }
+}
+
 }  // namespace
 
 void build_faces(const Chain& chain, const Carriers& carriers, std::span<const std::uint8_t> sides,
@@ -156,12 +177,23 @@ void build_faces(const Chain& chain, const Carriers& carriers, std::span<const s
   std::vector<ChainEdge> sorted(chain.size());
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (const ChainEdge& use : chain) sorted[next[use.carrier]++] = use;
-  FaceBuilder builder(carriers, positions, surface);
+  // Parts of about the same length, on their own, one behind the other.
+  constexpr std::size_t kEdgesPerTask = 8192;
+  std::vector<std::uint32_t> starts{0};
   for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
-    if (begin[carrier] == begin[carrier + 1]) continue;
-    builder.build({sorted.data() + begin[carrier], begin[carrier + 1] - begin[carrier]}, carrier,
-                  sides[carrier]);
+    if (begin[carrier + 1] - begin[starts.back()] >= kEdgesPerTask) starts.push_back(carrier + 1);
   }
+  starts.push_back(carriers.count());
+  std::vector<Surface> parts(starts.size() - 1);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+    FaceBuilder builder(carriers, positions, parts[i]);
+    for (std::uint32_t carrier = starts[i]; carrier < starts[i + 1]; ++carrier) {
+      if (begin[carrier] == begin[carrier + 1]) continue;
+      builder.build({sorted.data() + begin[carrier], begin[carrier + 1] - begin[carrier]}, carrier,
+                    sides[carrier]);
+    }
+  });
+  for (const Surface& part : parts) append(part, surface);
 }
 
 }  // namespace spoctree

@@ -1,5 +1,8 @@
 #include "client/rebuild/polygon_mesh.hpp"
 
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
 #include <charconv>
 #include <glm/geometric.hpp>
 
@@ -56,6 +59,22 @@ PolygonMesh make_polygon_mesh(const Surface& surface, const Universe& universe) 
   return mesh;
 }
 
+namespace {
+
+/// Appends so many lines, each as `append(text, line)` makes it, in parallel.
+template <class Append>
+void append_lines(std::size_t count, Append&& append, std::string& text) {
+  constexpr std::size_t kLinesPerTask = 4096;
+  std::vector<std::string> parts((count + kLinesPerTask - 1) / kLinesPerTask);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(count, (part + 1) * kLinesPerTask);
+    for (std::size_t line = part * kLinesPerTask; line < end; ++line) append(parts[part], line);
+  });
+  for (const std::string& part : parts) text += part;
+}
+
+}  // namespace
+
 std::string to_off(const PolygonMesh& mesh) {
   std::string text = "OFF\n";
   append_number(text, mesh.vertices.size());
@@ -64,21 +83,23 @@ std::string to_off(const PolygonMesh& mesh) {
   text += ' ';
   append_number(text, mesh.corners.size() / 2);
   text += '\n';
-  for (const Vec3 vertex : mesh.vertices) {
+  const auto append_vertex = [&](std::string& part, std::size_t vertex) {
     for (int axis = 0; axis < 3; ++axis) {
-      append_number(text, vertex[axis]);
-      text += axis == 2 ? '\n' : ' ';
+      append_number(part, mesh.vertices[vertex][axis]);
+      part += axis == 2 ? '\n' : ' ';
     }
-  }
-  for (std::size_t i = 0; i < mesh.polygon_count(); ++i) {
-    const std::uint32_t end = mesh.polygon_begin[i + 1];
-    append_number(text, end - mesh.polygon_begin[i]);
-    for (std::uint32_t k = mesh.polygon_begin[i]; k < end; ++k) {
-      text += ' ';
-      append_number(text, mesh.corners[k]);
+  };
+  const auto append_polygon = [&](std::string& part, std::size_t polygon) {
+    const std::uint32_t end = mesh.polygon_begin[polygon + 1];
+    append_number(part, end - mesh.polygon_begin[polygon]);
+    for (std::uint32_t k = mesh.polygon_begin[polygon]; k < end; ++k) {
+      part += ' ';
+      append_number(part, mesh.corners[k]);
     }
-    text += '\n';
-  }
+    part += '\n';
+  };
+  append_lines(mesh.vertices.size(), append_vertex, text);
+  append_lines(mesh.polygon_count(), append_polygon, text);
   return text;
 }
 

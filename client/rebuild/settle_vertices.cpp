@@ -1,5 +1,7 @@
 #include "client/rebuild/settle_vertices.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
@@ -193,10 +195,13 @@ bool settle_vertices(Chain& chain, const Carriers& carriers, VertexWelder& welde
   const double diagonal = welder.tolerance() / kWeldTolerance;
   const auto vertex_count = static_cast<std::uint32_t>(welder.vertices().size());
   const CarriersAround around(chain, vertex_count);
-  for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex) {
+  std::vector<std::optional<Vec3>> points(vertex_count);
+  tbb::parallel_for(std::uint32_t{0}, vertex_count, [&](std::uint32_t vertex) {
     const auto planes = around.of(vertex);
-    if (planes.empty()) continue;
-    const std::optional<Vec3> point = meeting_point(planes, carriers);
+    if (!planes.empty()) points[vertex] = meeting_point(planes, carriers);
+  });
+  for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex) {
+    const std::optional<Vec3>& point = points[vertex];
     // Not far: a vertex that was put on a bent edge does not lie on all its planes.
     if (point && glm::distance(*point, welder.vertices()[vertex]) < kShortEdge * diagonal) {
       welder.move(vertex, *point);

@@ -85,9 +85,10 @@ Surface rebuild_surface(const Octree& tree, std::uint32_t level) {
   // Each may leave work for the other; in practice the second round finds nothing.
   constexpr int kMaxRounds = 4;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const bool settled = !settle_vertices(chain, carriers, welder);
-    if (round > 0 && settled) break;
-    resolve_contacts(chain, carriers, welder);
+    const bool merged = settle_vertices(chain, carriers, welder);
+    if (round > 0 && !merged) break;
+    const bool cut = resolve_contacts(chain, carriers, welder);
+    if (!merged && !cut) break;
     join_straight_edges(chain, welder.vertices().size());
   }
   Surface surface;

@@ -1,8 +1,9 @@
 // The boundary of T_k, rebuilt from the tree's planes alone: a closed polygon mesh and its creases.
 //
-// Pieces (walk_pieces) -> ends of their edges on every line (line_ends), where almost all cancels
-// -> a chain of edges per plane (chain), cleaned up (settle_vertices, contacts) -> loops and faces
-// (face_builder) -> creases. chain.hpp says why the result is always closed.
+// Cells -> corners by the planes that meet there (corners), where almost all cancels -> ends of
+// edges on every line (line_ends) -> a chain of edges per plane (chain), cleaned up
+// (settle_vertices, contacts) -> loops and faces (face_builder) -> creases. chain.hpp says why the
+// result is always closed.
 #pragma once
 
 #include <cstdint>
@@ -66,7 +67,7 @@ struct Surface {
 /// thinner than that may vanish. Neither cell walls nor splits of a node leave an edge in a flat
 /// face, and an edge that runs straight through many cells is one edge. Same tree, same bytes.
 /// REQUIRES: a valid tree (validate.hpp). Throws std::logic_error, naming the place, if the result
-/// is not closed (a bug). Time and memory O(pieces) as a rule.
+/// is not closed (a bug). In parallel; time O(nodes) as a rule, memory O(boundary).
 Surface rebuild_surface(const Octree& tree, std::uint32_t level = static_cast<std::uint32_t>(-1));
 
 /// Volume enclosed and area, by the divergence theorem, in universe units.

@@ -55,6 +55,22 @@ class Int256 {
     return negative ? -product : product;
   }
 
+  /// The product of two numbers.
+  static Int256 product(Int128 a, Int128 b) {
+    const auto u = static_cast<UInt128>(a < 0 ? -a : a);
+    const auto v = static_cast<UInt128>(b < 0 ? -b : b);
+    const auto low = [](UInt128 x) { return static_cast<UInt128>(static_cast<std::uint64_t>(x)); };
+    const UInt128 bottom = low(u) * low(v);
+    const UInt128 left = (u >> 64) * low(v);
+    const UInt128 right = low(u) * (v >> 64);
+    const UInt128 middle = (bottom >> 64) + low(left) + low(right);
+    const UInt128 top = (u >> 64) * (v >> 64) + (left >> 64) + (right >> 64) + (middle >> 64);
+    Int256 result;
+    result.limbs_ = {static_cast<std::uint64_t>(bottom), static_cast<std::uint64_t>(middle),
+                     static_cast<std::uint64_t>(top), static_cast<std::uint64_t>(top >> 64)};
+    return (a < 0) != (b < 0) ? -result : result;
+  }
+
   int sign() const {
     if ((limbs_[3] >> 63) != 0) return -1;
     return (limbs_[0] | limbs_[1] | limbs_[2] | limbs_[3]) != 0 ? 1 : 0;

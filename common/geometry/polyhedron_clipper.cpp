@@ -238,10 +238,12 @@ void PolyhedronClipper::make_part(const Polyhedron& polyhedron, bool keeps_insid
   assert(rim_start != kNone);
   const std::uint32_t first = end;
   std::uint32_t at = rim_start;
-  do {
+  for (std::uint32_t k = 0; k < cap; ++k) {  // no more edges than faces
     corners[end++] = {at, rim_[at].face};
     at = rim_[at].to;
-  } while (at != rim_start);
+    if (at == rim_start) break;
+  }
+  assert(at == rim_start);
   part.faces[cap] = {plane, first, end - first};
   part.corners.resize_unset(end);
 }

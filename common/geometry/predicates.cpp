@@ -113,13 +113,29 @@ int side_of_any_point(const Plane& plane, Vec3 point) {
   return sign(sum);
 }
 
+int determinant_sign(const Plane& p, const Plane& q, const Plane& r, const Plane& s) {
+  // By minors of the first two rows and of the last two.
+  const GridPlane rows[4] = {to_grid(p), to_grid(q), to_grid(r), to_grid(s)};
+  const auto minor = [&](int row, int i, int j) {
+    const auto at = [&](int k, int column) {
+      return static_cast<Int128>(column < 3 ? rows[k].n[column] : rows[k].d);
+    };
+    return at(row, i) * at(row + 1, j) - at(row, j) * at(row + 1, i);
+  };
+  Int256 determinant = Int256::product(minor(0, 0, 1), minor(2, 2, 3));
+  determinant += Int256::product(-minor(0, 0, 2), minor(2, 1, 3));
+  determinant += Int256::product(minor(0, 0, 3), minor(2, 1, 2));
+  determinant += Int256::product(minor(0, 1, 2), minor(2, 0, 3));
+  determinant += Int256::product(-minor(0, 1, 3), minor(2, 0, 2));
+  determinant += Int256::product(minor(0, 2, 3), minor(2, 0, 1));
+  return determinant.sign();
+}
+
 int side_of_intersection(const Plane& p, const Plane& q, const Plane& r, const Plane& plane) {
-  const Homogeneous point = intersect(to_grid(p), to_grid(q), to_grid(r));
-  assert(point.w.sign() > 0);
-  const GridPlane g = to_grid(plane);
-  Int256 value = point.w * -g.d;
-  for (int i = 0; i < 3; ++i) value += point.x[i] * g.n[i];
-  return value.sign();
+  // The plane's value is minus one determinant over the other.
+  const int orientation = orientation_of_normals(p, q, r);
+  assert(orientation != 0);
+  return -orientation * determinant_sign(p, q, r, plane);
 }
 
 int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane) {

@@ -32,6 +32,10 @@ int side_of_intersection(const Plane& p, const Plane& q, const Plane& r, const P
 /// `crossed`, or one of them lies on it.
 int side_of_crossing(Vec3 a, Vec3 b, const Plane& crossed, const Plane& plane);
 
+/// The sign of the determinant of four planes, with one row (normal, offset) for each; zero if they
+/// meet in a point. Integers only.
+int determinant_sign(const Plane& p, const Plane& q, const Plane& r, const Plane& s);
+
 /// Orientation of the three normals: the sign of their determinant.
 int orientation_of_normals(const Plane& p, const Plane& q, const Plane& r);
 

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <utility>
 
 namespace spoctree {
 
 namespace {
 
-/// Bound of all rounding in the test of a cube against a plane, a few times over.
-constexpr double kRounding = 0x1p-46;
+/// Bound of all rounding in the tests of a cube against a plane and of boxes (their corners err by
+/// 2^-45 at most), a few times over.
+constexpr double kRounding = 0x1p-43;
 
-/// So many clips of a cube take about as long as three clips of the parent's region.
-constexpr std::size_t kFewPlanes = 4;
+/// More clips of a cube take longer than three of the parent's region.
+constexpr std::size_t kFewPlanes = 6;
 
 }  // namespace
 
@@ -23,26 +26,40 @@ CellRegions::Frame CellRegions::open(const Polyhedron* region) {
     if (face.plane.is_wall()) continue;
     const Plane plane = planes_[face.plane];
     const Vec3 n = plane.normal;
-    bounds_.push_back({plane, std::abs(n.x) + std::abs(n.y) + std::abs(n.z), face.plane.index()});
+    Vec3 lower(2.0);
+    Vec3 upper(-2.0);
+    for (const Polyhedron::Corner& corner : region->loop(face)) {
+      const Vec3 position = region->vertices[corner.vertex].position;
+      lower = glm::min(lower, position);
+      upper = glm::max(upper, position);
+    }
+    bounds_.push_back(
+        {plane, std::abs(n.x) + std::abs(n.y) + std::abs(n.z), lower, upper, face.plane.index()});
   }
   return frame;
 }
 
-bool CellRegions::select(Frame frame, const NodeAddress& cell,
-                         std::vector<std::uint32_t>& planes) const {
+bool CellRegions::select(Frame frame, const NodeAddress& cell, std::vector<std::uint32_t>& planes,
+                         std::size_t& near) const {
   planes.clear();
+  near = 0;
   if (frame == bounds_.size()) return true;
   const double half = planes_.half_side() * 0x1p-30 * cell.size();
   Vec3 centre;
   for (int axis = 0; axis < 3; ++axis) {
     centre[axis] = wall_coordinate(planes_.half_side(), cell.lower[axis]) + half;
   }
+  const double margin = half + kRounding;
   for (std::size_t i = frame; i < bounds_.size(); ++i) {
     const Bound& bound = bounds_[i];
     const double value = glm::dot(bound.plane.normal, centre) - bound.plane.offset;
     const double reach = bound.reach * half + kRounding;
     if (value > reach) return false;
-    if (value > -reach) planes.push_back(bound.index);
+    if (value <= -reach) continue;
+    planes.push_back(bound.index);
+    const Vec3 off = glm::max(bound.lower - centre, centre - bound.upper);
+    if (off.x > margin || off.y > margin || off.z > margin) continue;
+    std::swap(planes[near++], planes.back());
   }
   return true;
 }

@@ -24,9 +24,15 @@ class CellRegions {
   /// Closes a frame, and those opened after it.
   void close(Frame frame) { bounds_.resize_unset(frame); }
 
-  /// The planes of the frame opened last that may cut a cell. False if the cell is certainly
-  /// outside one of them.
-  bool select(Frame frame, const NodeAddress& cell, std::vector<std::uint32_t>& planes) const;
+  /// The planes of the frame opened last that may cut a cell, into `planes`: first those on which
+  /// the parent's region may have faces in the cell, `near` of them; the others cut the cell only
+  /// if nothing of the region is in it. False if the cell is certainly outside one of the planes.
+  bool select(Frame frame, const NodeAddress& cell, std::vector<std::uint32_t>& planes,
+              std::size_t& near) const;
+  bool select(Frame frame, const NodeAddress& cell, std::vector<std::uint32_t>& planes) const {
+    std::size_t near = 0;
+    return select(frame, cell, planes, near);
+  }
 
   /// The region of a cell that `planes` may cut; false if it has no interior. Cut from its parent's
   /// (clipped by the parent's planes), if that is given and easier.
@@ -44,6 +50,9 @@ class CellRegions {
     Plane plane;
     /// What half a cube of side 2 reaches along the normal.
     double reach;
+    /// A box around the face.
+    Vec3 lower;
+    Vec3 upper;
     std::uint32_t index;
   };
 

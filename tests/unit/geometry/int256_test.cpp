@@ -58,6 +58,7 @@ TEST(Int256, ComputesAsIntegersOfAnyWidthDo) {
     ASSERT_EQ(to_any_width(-Int256(a)), -wide_a);
     ASSERT_EQ(to_any_width(Int256(a) * b), wide_a * wide_b);
     ASSERT_EQ(to_any_width(Int256(a) * c), wide_a * c);
+    ASSERT_EQ(to_any_width(Int256::product(a, b)), wide_a * wide_b);
     ASSERT_EQ(to_any_width(Int256(a) * b * Int128{2}), 2 * wide_a * wide_b);
     Int256 sum = Int256(a) * b;
     sum += Int256(b) * c;
