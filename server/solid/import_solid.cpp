@@ -56,7 +56,7 @@ ShellJudgement judge_nesting(GridMesh& mesh, std::vector<Corners>& neighbours, c
     for (const std::uint32_t t : shells.wrong) wrong.add(t);
     mesh.fail("not consistently oriented: " + std::to_string(wrong.count()) + " of " +
               std::to_string(shells.shells) +
-              " shells face the wrong way for how they nest, with faces " +
+              " shells face the wrong way for how they nest, " +
               wrong.places([&](std::uint32_t t) { return mesh.place(mesh.triangles[t]); }));
   }
   report.turned_shells = shells.wrong.size();

@@ -34,6 +34,7 @@ struct BorderEdge {
   std::uint32_t from;
   std::uint32_t to;
   std::uint32_t opposite;  // a third corner of the face
+  std::uint32_t face;
 };
 
 using Patch = std::vector<std::vector<std::uint32_t>>;  // faces, as point numbers
@@ -48,7 +49,7 @@ std::vector<BorderEdge> find_border(const PolygonSoup& soup) {
     const std::size_t i = edge[0].corner - soup.first_corner[edge[0].face];
     const std::uint32_t a = face[i];
     const std::uint32_t b = face[(i + 1) % face.size()];
-    border.push_back({b, a, face[(i + 2) % face.size()]});
+    border.push_back({b, a, face[(i + 2) % face.size()], edge[0].face});
   });
   std::stable_sort(border.begin(), border.end(),
                    [](const BorderEdge& x, const BorderEdge& y) { return x.from < y.from; });
@@ -163,6 +164,13 @@ Patch triangulate(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
   return patch;
 }
 
+// Whether the hole is all around a single face, which a patch would only double.
+bool is_back_of_face(const Loop& loop, const PolygonSoup& soup) {
+  return soup.face(loop[0].face).size() == loop.size() &&
+         std::all_of(loop.begin(), loop.end(),
+                     [&](const BorderEdge& edge) { return edge.face == loop[0].face; });
+}
+
 Patch one_polygon(const Loop& loop) {
   Patch patch(1);
   for (const BorderEdge& edge : loop) patch[0].push_back(edge.from);
@@ -178,8 +186,6 @@ std::uint64_t edge_key(std::uint32_t a, std::uint32_t b) {
 bool is_good(const Patch& patch, const Loop& loop, std::set<std::uint64_t>& edges_in_use) {
   if (patch.size() == 1 && patch[0].size() == loop.size() && loop.size() > 3) return true;
   if (patch.size() + 2 != loop.size()) return false;
-  // A triangle on its own face's back. With more edges, its diagonals would be in use.
-  if (loop.size() == 3 && loop[0].opposite == loop[1].to) return false;
   std::set<std::uint64_t> of_loop;
   for (const BorderEdge& edge : loop) of_loop.insert(edge_key(edge.from, edge.to));
   std::set<std::uint64_t> diagonals;
@@ -229,7 +235,7 @@ FilledHoles fill_holes(PolygonSoup& soup) {
     }
     squares_left -= square;
     const Patch patch = by_polygon ? one_polygon(loop) : triangulate(loop, hole, soup);
-    if (!is_good(patch, loop, edges_in_use)) {
+    if (is_back_of_face(loop, soup) || !is_good(patch, loop, edges_in_use)) {
       holes.unfillable.add(hole);
       continue;
     }

@@ -248,7 +248,7 @@ TEST(JudgeSolid, RefusesShellsThatNestWrongly) {
   EXPECT_EQ(
       import_error(together(outer, inner))
           .find("it: not consistently oriented: 1 of 2 shells face the wrong way for how they "
-                "nest, with faces at (1, 1, 1)–"),
+                "nest, at (1, 1, 1)–"),
       0u);
   EXPECT_NE(import_error(reversed(together(outer, inner))).find("1 of 2 shells"),
             std::string::npos);

@@ -228,10 +228,19 @@ TEST(Repair, LeavesHolesWithTooManyEdgesOpen) {
   EXPECT_EQ(repaired.refusals[0].find("1 hole with too many edges"), 0u);
 }
 
-TEST(Repair, DoesNotCloseATriangleWithItself) {
-  const Repair repaired = repair(make_soup({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
-  EXPECT_TRUE(repaired.changes.empty());
-  EXPECT_EQ(repaired.refusals.size(), 1u);
+TEST(Repair, DoesNotCloseAFaceWithItself) {
+  for (const std::uint32_t corners : {3u, 4u, 1000u}) {
+    PolygonSoup soup;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+      const double angle = 2 * std::numbers::pi * i / corners;
+      soup.points.emplace_back(std::cos(angle), std::sin(angle), 0);
+      soup.corners.push_back(i);
+    }
+    soup.first_corner.push_back(corners);
+    const Repair repaired = repair(soup);
+    EXPECT_TRUE(repaired.changes.empty());
+    EXPECT_EQ(repaired.refusals.size(), 1u);
+  }
 }
 
 TEST(Repair, LeavesEdgesOfManyFacesAndSelfIntersectionsToTheJudge) {
@@ -244,6 +253,22 @@ TEST(Repair, LeavesEdgesOfManyFacesAndSelfIntersectionsToTheJudge) {
   EXPECT_TRUE(repair(touching).changes.empty());
   EXPECT_NE(import_error(repair(touching).soup).find("1 edge with more than two faces"),
             std::string::npos);
+}
+
+TEST(Repair, EndsInTimeWithoutAnEndToTheNeedles) {
+  // 2000 triangles without area, each against the one before: more than there are rounds.
+  PolygonSoup soup =
+      make_soup({{0, 0, 0}, {2001, 0, 0}, {0, 5, 0}, {0, 0, 5}}, {{0, 1, 3}, {1, 2, 3}, {0, 3, 2}});
+  std::uint32_t last = 0;
+  for (std::uint32_t i = 1; i <= 2001; ++i) {
+    const std::uint32_t next = i == 2001 ? 1 : static_cast<std::uint32_t>(soup.points.size());
+    if (i < 2001) soup.points.emplace_back(i, 0, 0);
+    soup = add_face(soup, {last, 2, next});
+    if (i < 2001) soup = add_face(soup, {last, next, 1});
+    last = next;
+  }
+  EXPECT_EQ(only_change(soup).find("dropped: 32 triangles without area, first at ("), 0u);
+  EXPECT_NE(import_error(repair(soup).soup).find("degenerate: 1968 faces"), std::string::npos);
 }
 
 TEST(TurnShells, TurnsWhatNestsWrongly) {
