@@ -18,6 +18,7 @@
 #include "common/program/run_program.hpp"
 #include "common/tree/classify.hpp"
 #include "common/tree/pieces.hpp"
+#include "common/tree/query_index.hpp"
 #include "common/wire/spo_file.hpp"
 #include "tests/support/mesh_judge.hpp"
 
@@ -29,6 +30,7 @@ struct Options {
   std::string mesh;
   std::string model;
   std::string rebuilt;
+  std::string name;  // in the report
   std::size_t points = 100000;
   double nearest = 1e-6;  // of the diagonal: points closer to the surface are not judged
 };
@@ -78,16 +80,18 @@ class Judge {
         tree_(SpoFile(options.model).tree()) {}
 
   int run() {
-    const std::string name = options_.mesh.substr(options_.mesh.rfind('/') + 1);
+    const std::string name =
+        options_.name.empty() ? options_.mesh.substr(options_.mesh.rfind('/') + 1) : options_.name;
     judge_points();
     judge_bounds();
     const double volume = volume_of(mesh_);
     const double stated = tree_.levels.back().statement.inner_volume;
     std::printf(
-        "%-46s %8zu faces %2zu levels | wrong %zu last, %zu any, unknown %zu | "
+        "%-46s %8zu faces %2zu levels | %zu points: wrong %zu last, %zu any, unknown %zu | "
         "bound %s, at most %.2f x | volume %+.1e",
-        name.c_str(), mesh_.faces.size(), tree_.levels.size(), wrong_at_last_, wrong_at_any_,
-        unknown_at_last_, bounds_hold_ ? "holds" : "BROKEN", loosest_bound_, stated / volume - 1);
+        name.c_str(), mesh_.faces.size(), tree_.levels.size(), judged_, wrong_at_last_,
+        wrong_at_any_, unknown_at_last_, bounds_hold_ ? "holds" : "BROKEN", loosest_bound_,
+        stated / volume - 1);
     bool is_closed = true;
     if (!options_.rebuilt.empty()) {
       std::ifstream file(options_.rebuilt);
@@ -123,30 +127,38 @@ class Judge {
   }
 
   void judge_points() {
-    const auto last = static_cast<std::uint32_t>(tree_.levels.size() - 1);
+    struct Question {
+      Vec3 point{0.0};
+      PointClass right = PointClass::Out;
+      bool was_wrong = false;
+    };
+    std::vector<Question> questions;
     for (std::size_t i = 0; i < options_.points; ++i) {
       const Vec3 point = point_to_try(i % 2 == 1);
       // What is off one triangle may be on another.
       if (judge_.distance(point) < 0.999 * options_.nearest * judge_.diagonal()) continue;
-      const PointClass right = judge_.is_inside(point) ? PointClass::In : PointClass::Out;
-      bool is_wrong = false;
-      for (std::uint32_t k = 0; k <= last; ++k) {
-        const PointClass now = classify_point(tree_, tree_.universe.to_universe(point), k);
+      questions.push_back({point, judge_.is_inside(point) ? PointClass::In : PointClass::Out});
+    }
+    judged_ = questions.size();
+    const auto last = static_cast<std::uint32_t>(tree_.levels.size() - 1);
+    for (std::uint32_t k = 0; k <= last; ++k) {
+      const QueryIndex index(tree_, k);
+      for (Question& question : questions) {
+        const PointClass now = index.classify(tree_.universe.to_universe(question.point));
         if (now == PointClass::Unknown) {
           unknown_at_last_ += k == last;
           continue;
         }
-        if (now == right) continue;
-        is_wrong = true;
+        if (now == question.right) continue;
         wrong_at_last_ += k == last;
-        if (wrong_at_any_ < 3) {
-          std::fprintf(stderr, "%s: level %u says %d of (%.17g %.17g %.17g), %g off the surface\n",
-                       options_.mesh.c_str(), k, static_cast<int>(now), point.x, point.y, point.z,
-                       judge_.distance(point) / judge_.diagonal());
-        }
-        break;
+        if (question.was_wrong) continue;
+        question.was_wrong = true;
+        if (++wrong_at_any_ > 3) continue;
+        const Vec3 point = question.point;
+        std::fprintf(stderr, "%s: level %u says %d of (%.17g %.17g %.17g), %g off the surface\n",
+                     options_.mesh.c_str(), k, static_cast<int>(now), point.x, point.y, point.z,
+                     judge_.distance(point) / judge_.diagonal());
       }
-      wrong_at_any_ += is_wrong;
     }
   }
 
@@ -231,6 +243,7 @@ class Judge {
   MeshJudge judge_;
   Octree tree_;
   Random random_{20261122};
+  std::size_t judged_ = 0;
   std::size_t wrong_at_last_ = 0;
   std::size_t wrong_at_any_ = 0;
   std::size_t unknown_at_last_ = 0;
@@ -249,6 +262,7 @@ int main(int argc, char** argv) {
   app.add_option("MODEL", options.model)->required();
   app.add_option("--points", options.points, "Points to classify");
   app.add_option("--nearest", options.nearest, "Judge no points nearer to the surface (diagonals)");
+  app.add_option("--name", options.name, "What to call the mesh (default: its file's name)");
   app.add_option("--rebuilt", options.rebuilt, "The rebuilt boundary, as OFF");
   int verdict = 0;
   app.callback([&] { verdict = spoctree::Judge(options).run(); });
