@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -38,6 +39,9 @@ struct Box {
   }
 };
 
+/// Two nodes of a BoxTree whose boxes are to be compared; twice the same: those within one node.
+using NodePair = std::array<std::uint32_t, 2>;
+
 /// A tree of halves: each node's boxes are split at the median of their centres along the longest
 /// side, down to leaves of a few. The same boxes give the same tree and the same order of visits.
 class BoxTree {
@@ -48,7 +52,24 @@ class BoxTree {
   /// Calls visit(i, j) once for every pair of boxes that overlap.
   template <class Visit>
   void visit_overlapping_pairs(Visit visit) const {
-    if (!nodes_.empty()) visit_pairs_within(0, visit);
+    if (!nodes_.empty()) visit_pairs({0, 0}, {}, visit);
+  }
+
+  /// The same in parts, for loops that run in parallel: all pairs of boxes are in one of these
+  /// pairs of nodes, of which none has more than `most` boxes, or they do not overlap. Always the
+  /// same.
+  std::vector<NodePair> split_pairs(std::uint32_t most) const;
+
+  /// For each node, the label that all its boxes have, or kMixed. REQUIRES: a label for each box.
+  std::vector<std::uint32_t> common_labels(std::span<const std::uint32_t> label_of_box) const;
+  static constexpr std::uint32_t kMixed = std::numeric_limits<std::uint32_t>::max();
+
+  /// Calls visit(i, j) once for every pair of boxes of these nodes that overlap, but not for boxes
+  /// with equal labels other than kMixed; `node_labels` is empty (no labels) or from common_labels.
+  template <class Visit>
+  void visit_overlapping_pairs(NodePair pair, std::span<const std::uint32_t> node_labels,
+                               Visit visit) const {
+    visit_pairs(pair, node_labels, visit);
   }
 
   /// Calls visit(i) for every box that overlaps `box`.
@@ -85,38 +106,46 @@ class BoxTree {
     std::uint32_t index = 0;
   };
 
-  void build(std::uint32_t begin, std::uint32_t end);
+  void build(std::uint32_t node_index, std::uint32_t begin, std::uint32_t end);
 
-  template <class Visit>
-  void visit_pairs_within(std::uint32_t node_index, Visit& visit) const {
-    const Node& node = nodes_[node_index];
-    if (node.second_child == 0) {
-      for (std::uint32_t i = node.begin; i < node.end; ++i) {
-        for (std::uint32_t j = i + 1; j < node.end; ++j) visit_if_overlapping(i, j, visit);
-      }
-      return;
+  // The pairs of children that make up a pair of nodes, not both leaves; calls visit_pair({a, b}).
+  template <class VisitPair>
+  void visit_halves(NodePair pair, VisitPair visit_pair) const {
+    const auto [a, b] = pair;
+    if (a == b) {
+      visit_pair(NodePair{a + 1, a + 1});
+      visit_pair(NodePair{nodes_[a].second_child, nodes_[a].second_child});
+      visit_pair(NodePair{a + 1, nodes_[a].second_child});
+    } else if (size_of(a) >= size_of(b)) {
+      visit_pair(NodePair{a + 1, b});
+      visit_pair(NodePair{nodes_[a].second_child, b});
+    } else {
+      visit_pair(NodePair{a, b + 1});
+      visit_pair(NodePair{a, nodes_[b].second_child});
     }
-    visit_pairs_within(node_index + 1, visit);
-    visit_pairs_within(node.second_child, visit);
-    visit_pairs_between(node_index + 1, node.second_child, visit);
+  }
+  std::uint32_t size_of(std::uint32_t node) const { return nodes_[node].end - nodes_[node].begin; }
+  bool can_be_split(NodePair pair) const {
+    return nodes_[pair[0]].second_child != 0 || nodes_[pair[1]].second_child != 0;
   }
 
   template <class Visit>
-  void visit_pairs_between(std::uint32_t a_index, std::uint32_t b_index, Visit& visit) const {
-    const Node& a = nodes_[a_index];
-    const Node& b = nodes_[b_index];
+  void visit_pairs(NodePair pair, std::span<const std::uint32_t> labels, Visit& visit) const {
+    const Node& a = nodes_[pair[0]];
+    const Node& b = nodes_[pair[1]];
     if (!a.box.overlaps(b.box)) return;
-    if (a.second_child == 0 && b.second_child == 0) {
+    if (!labels.empty() && labels[pair[0]] != kMixed && labels[pair[0]] == labels[pair[1]]) return;
+    if (can_be_split(pair)) {
+      visit_halves(pair, [&](NodePair halves) { visit_pairs(halves, labels, visit); });
+    } else if (pair[0] == pair[1]) {
+      for (std::uint32_t i = a.begin; i < a.end; ++i) {
+        for (std::uint32_t j = i + 1; j < a.end; ++j) visit_if_overlapping(i, j, visit);
+      }
+    } else {
       for (std::uint32_t i = a.begin; i < a.end; ++i) {
         if (!leaves_[i].box.overlaps(b.box)) continue;
         for (std::uint32_t j = b.begin; j < b.end; ++j) visit_if_overlapping(i, j, visit);
       }
-    } else if (a.end - a.begin >= b.end - b.begin) {
-      visit_pairs_between(a_index + 1, b_index, visit);
-      visit_pairs_between(a.second_child, b_index, visit);
-    } else {
-      visit_pairs_between(a_index, b_index + 1, visit);
-      visit_pairs_between(a_index, b.second_child, visit);
     }
   }
 

@@ -1,6 +1,7 @@
 #include "server/solid/flat_groups.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "server/solid/fit_plane.hpp"
 #include "server/solid/grow_patches.hpp"
@@ -108,13 +109,18 @@ std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& group
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   for (const std::uint32_t number : changed) {
-    std::vector<std::uint32_t>& members = groups.groups[number].triangles;
-    std::erase_if(members, [&](std::uint32_t t) { return groups.of_triangle[t] != number; });
-    if (members.size() >= 2) continue;
-    for (const std::uint32_t t : members) leave(t);
-    members.clear();
+    const std::vector<std::uint32_t> last = drop_strangers(groups, number);
+    released.insert(released.end(), last.begin(), last.end());
   }
   return released;
+}
+
+std::vector<std::uint32_t> drop_strangers(FlatGroups& groups, std::uint32_t group) {
+  std::vector<std::uint32_t>& members = groups.groups[group].triangles;
+  std::erase_if(members, [&](std::uint32_t t) { return groups.of_triangle[t] != group; });
+  if (members.size() >= 2) return {};
+  for (const std::uint32_t t : members) groups.of_triangle[t] = kNone;
+  return std::exchange(members, {});
 }
 
 }  // namespace spoctree

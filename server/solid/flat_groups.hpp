@@ -37,6 +37,10 @@ struct CornerConflict {
 std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,
                                    std::span<const CornerConflict> conflicts);
 
+/// Takes the triangles that are in other groups by now out of this group's list; if less than two
+/// are left, it falls apart. Returns the triangles that are in no group any more. Linear.
+std::vector<std::uint32_t> drop_strangers(FlatGroups& groups, std::uint32_t group);
+
 /// Fills `groups_around` with the groups of the triangles around the vertex, in order.
 void collect_groups_around(const FlatSurface& surface, const FlatGroups& groups,
                            std::uint32_t vertex, std::vector<std::uint32_t>& groups_around);

@@ -11,15 +11,44 @@ namespace {
 // would take too long.
 constexpr int kMostTriangles = 1000;
 
-bool is_upright(const SettledSurface& surface, const GridPoint& normal, const Corners& t) {
+// Higher triangles, in universe units, are no needles that rounding might turn over.
+constexpr double kThick = 0x1p-44;
+
+constexpr int kMostPasses = 1000;
+
+double squared_length(const SettledSurface& surface, std::uint32_t p, std::uint32_t q) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = static_cast<double>(surface.points[q][i] - surface.points[p][i]) * 0x1p-52;
+    sum += d * d;
+  }
+  return sum;
+}
+
+enum Shape { TurnedOver = 0, Thin = 1, Thick = 2 };
+
+// Of a triangle in a plane with this normal; whether it is turned over is exact.
+Shape shape_of(const SettledSurface& surface, const GridPoint& normal, const Corners& t) {
   const auto axis = static_cast<std::size_t>(
       std::max_element(normal.begin(), normal.end(),
                        [](std::int64_t p, std::int64_t q) { return std::abs(p) < std::abs(q); }) -
       normal.begin());
-  const Int128 area =
-      area_vector(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]])[axis];
-  return normal[axis] > 0 ? area > 0 : area < 0;
+  Int128 area = area_vector(surface.points[t[0]], surface.points[t[1]], surface.points[t[2]])[axis];
+  if (normal[axis] < 0) area = -area;
+  if (area <= 0) return TurnedOver;
+  const double longest =
+      std::sqrt(std::max({squared_length(surface, t[0], t[1]), squared_length(surface, t[1], t[2]),
+                          squared_length(surface, t[2], t[0])}));
+  return static_cast<double>(area) * 0x1p-104 > kThick * longest ? Thick : Thin;
 }
+
+Shape shape_of(const SettledSurface& surface, std::uint32_t triangle) {
+  const FlatGroup& group = surface.groups->groups[surface.groups->of_triangle[triangle]];
+  return shape_of(surface, group.plane.normal, surface.triangles[triangle]);
+}
+
+// What turning edges makes larger: thick triangles count first, then those not turned over.
+int merit(Shape p, Shape q) { return 3 * ((p == Thick) + (q == Thick)) + (p > 0) + (q > 0); }
 
 std::uint32_t edge_from(const Corners& triangle, std::uint32_t vertex) {
   return triangle[0] == vertex ? 0 : triangle[1] == vertex ? 1 : 2;
@@ -37,7 +66,7 @@ bool is_joined(const SettledSurface& surface, std::uint32_t triangle, std::uint3
   return found || seen > kMostTriangles;
 }
 
-// Turns edge `i` of triangle `t` if that makes more triangles upright; false if not.
+// Turns edge `i` of triangle `t` if that has merit; `other` is the second triangle then.
 bool turn_edge(SettledSurface& surface, std::uint32_t t, std::uint32_t i, std::uint32_t& other) {
   Corners& a = surface.triangles[t];
   const std::uint32_t u = surface.neighbours[t][i];
@@ -52,10 +81,11 @@ bool turn_edge(SettledSurface& surface, std::uint32_t t, std::uint32_t i, std::u
   const Corners first = {p, s, r};
   const Corners second = {s, q, r};
   const GridPoint& normal = surface.groups->groups[group].plane.normal;
-  const int upright_before = is_upright(surface, normal, a) + is_upright(surface, normal, b);
-  const int upright_after =
-      is_upright(surface, normal, first) + is_upright(surface, normal, second);
-  if (upright_after <= upright_before || is_joined(surface, t, r, s)) return false;
+  if (merit(shape_of(surface, normal, first), shape_of(surface, normal, second)) <=
+      merit(shape_of(surface, normal, a), shape_of(surface, normal, b))) {
+    return false;
+  }
+  if (is_joined(surface, t, r, s)) return false;
 
   const Corners beside_a = surface.neighbours[t];
   const Corners beside_b = surface.neighbours[u];
@@ -73,15 +103,6 @@ bool turn_edge(SettledSurface& surface, std::uint32_t t, std::uint32_t i, std::u
   return true;
 }
 
-double squared_length(const SettledSurface& surface, std::uint32_t p, std::uint32_t q) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const auto d = static_cast<double>(surface.points[q][i] - surface.points[p][i]);
-    sum += d * d;
-  }
-  return sum;
-}
-
 bool mend(SettledSurface& surface, std::uint32_t t, std::uint32_t& other) {
   const Corners c = surface.triangles[t];
   std::array<std::pair<double, std::uint32_t>, 3> edges;
@@ -95,34 +116,35 @@ bool mend(SettledSurface& surface, std::uint32_t t, std::uint32_t& other) {
 
 }  // namespace
 
-bool is_upright(const SettledSurface& surface, std::uint32_t triangle) {
-  const FlatGroup& group = surface.groups->groups[surface.groups->of_triangle[triangle]];
-  return is_upright(surface, group.plane.normal, surface.triangles[triangle]);
-}
-
 std::vector<std::uint32_t> mend_folds(SettledSurface& surface,
                                       std::vector<std::uint32_t>& suspects) {
   std::vector<std::uint32_t> changed;
-  const auto forget_upright = [&] {
-    std::erase_if(suspects, [&](std::uint32_t t) { return is_upright(surface, t); });
+  const auto forget = [&](Shape least) {
+    std::erase_if(suspects, [&](std::uint32_t t) { return shape_of(surface, t) >= least; });
   };
-  forget_upright();
-  for (bool is_better = true; is_better && !suspects.empty();) {
+  forget(Thick);
+  bool is_better = true;
+  for (int pass = 0; is_better && pass < kMostPasses; ++pass) {
     is_better = false;
     std::vector<std::uint32_t> others;
+    // Backwards every other time: needles are mended one after the other, from one end.
     for (const std::uint32_t t : suspects) {
       std::uint32_t other = kNone;
-      if (is_upright(surface, t) || !mend(surface, t, other)) continue;
+      if (shape_of(surface, t) == Thick || !mend(surface, t, other)) continue;
       is_better = true;
       changed.push_back(t);
       changed.push_back(other);
       others.push_back(other);
     }
+    if (others.empty()) break;
     suspects.insert(suspects.end(), others.begin(), others.end());
     std::sort(suspects.begin(), suspects.end());
     suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
-    forget_upright();
+    forget(Thick);
+    if (pass % 2 == 0) std::reverse(suspects.begin(), suspects.end());
   }
+  forget(Thin);
+  std::sort(suspects.begin(), suspects.end());
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   return changed;

@@ -13,16 +13,14 @@ struct SettledSurface {
   std::vector<Corners> neighbours;
 };
 
-/// Whether the triangle's corners run counter-clockwise in its group's plane, strictly, exactly:
-/// seen along the axis nearest to the plane's normal. REQUIRES: it is in a group.
-bool is_upright(const SettledSurface& surface, std::uint32_t triangle);
-
 /// Corners in a row on the rim of a flat face, with a needle of a triangle between them, end up on
 /// one line: the needle has no area any more, or less than none. Of the two triangles beside an
 /// edge within one group the edge is turned (it then joins the other two corners) where that makes
-/// more of them upright. A group of upright triangles has no folds.
-/// `suspects` are the triangles that may not be upright; left there are those that still are not.
-/// Returns the triangles that were changed.
+/// more of them thicker than rounding to the grid, or at least upright: counter-clockwise in their
+/// group's plane, strictly, exactly, seen along the axis nearest to its normal. A group of upright
+/// triangles has no folds.
+/// `suspects` are triangles of groups that may not be upright; left there are those that are not.
+/// Returns the triangles that were changed, in order.
 std::vector<std::uint32_t> mend_folds(SettledSurface& surface,
                                       std::vector<std::uint32_t>& suspects);
 

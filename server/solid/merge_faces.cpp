@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "server/solid/fit_jointly.hpp"
 #include "server/solid/mend_folds.hpp"
+#include "server/solid/planar_patch.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_corners.hpp"
 
@@ -29,6 +31,7 @@ class Merger {
         surface_(surface),
         boxes_(boxes),
         shells_(shells),
+        tolerance_(to_height(tolerance)),
         settler_(make_settler(surface, kMostMoves * tolerance, tolerance)) {}
 
   /// Nothing if it does not work out.
@@ -40,19 +43,24 @@ class Merger {
     std::vector<Vec3> vertices;
     std::vector<std::uint32_t> changed;  // triangles
     std::vector<std::uint32_t> wrong;    // triangles that must not stay as they are
+    bool has_folds = false;              // some of them are upside down in their groups
   };
 
   static CornerSettler make_settler(const FlatSurface& surface, double most_move, double tolerance);
   Attempt attempt();
   void find_wrong(Attempt& attempt) const;
-  void pin_corners(const std::vector<std::uint32_t>& triangles, bool spread);
+  void regroup_folds(Attempt& attempt);
+  bool lies_near(std::uint32_t triangle, std::uint32_t group) const;
+  void pin_corners(const Attempt& attempt, bool spread);
   std::optional<PlanarSurface> finish(Attempt attempt) const;
 
   const GridMesh& mesh_;
   const FlatSurface& surface_;
   const BoxTree& boxes_;
   const ShellJudgement& shells_;
+  Int128 tolerance_;  // as a height
   CornerSettler settler_;
+  std::set<std::uint32_t> regrouped_;  // triangles
 };
 
 CornerSettler Merger::make_settler(const FlatSurface& surface, double most_move, double tolerance) {
@@ -88,6 +96,7 @@ Merger::Attempt Merger::attempt() {
     if (is_changed || !groups.groups[group].is_exact) suspects.push_back(t);
   }
   const std::vector<std::uint32_t> turned = mend_folds(made.surface, suspects);
+  made.has_folds = !suspects.empty();
   made.wrong = std::move(suspects);
   const auto middle = made.changed.insert(made.changed.end(), turned.begin(), turned.end());
   std::inplace_merge(made.changed.begin(), middle, made.changed.end());
@@ -96,13 +105,20 @@ Merger::Attempt Merger::attempt() {
 }
 
 void Merger::find_wrong(Attempt& attempt) const {
+  const auto is_outside = [&](std::uint32_t v) {
+    const Vec3 p = attempt.vertices[v];
+    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= mesh_.universe.half_side;
+  };
   for (const std::uint32_t t : attempt.changed) {
     const Corners& c = attempt.surface.triangles[t];
     const auto& points = attempt.surface.points;
-    if (area_vector(points[c[0]], points[c[1]], points[c[2]]) == AreaVector{0, 0, 0}) {
+    if (std::any_of(c.begin(), c.end(), is_outside) ||
+        area_vector(points[c[0]], points[c[1]], points[c[2]]) == AreaVector{0, 0, 0}) {
       attempt.wrong.push_back(t);
     }
   }
+  std::sort(attempt.wrong.begin(), attempt.wrong.end());
+  attempt.wrong.erase(std::unique(attempt.wrong.begin(), attempt.wrong.end()), attempt.wrong.end());
   if (!attempt.wrong.empty()) return;
   for (const auto& pair : find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
                                                       attempt.changed, boxes_)) {
@@ -110,14 +126,64 @@ void Merger::find_wrong(Attempt& attempt) const {
   }
 }
 
-void Merger::pin_corners(const std::vector<std::uint32_t>& triangles, bool spread) {
-  const auto pin = [&](std::uint32_t t) {
-    for (const std::uint32_t v : surface_.triangles[t]) settler_.pin(v);
+// Needles along a rim fit the faces on both sides of it. Those that end up upside down in the one
+// are tried in the other; connected ones together, and each only once. The others stay wrong.
+void Merger::regroup_folds(Attempt& attempt) {
+  const FlatGroups& groups = settler_.groups();
+  std::vector<std::uint32_t> still_wrong;
+  std::set<std::uint32_t> waiting;
+  for (const std::uint32_t t : attempt.wrong) {
+    const bool is_new = groups.of_triangle[t] != kNone && regrouped_.insert(t).second;
+    if (is_new) {
+      waiting.insert(t);
+    } else {
+      still_wrong.push_back(t);
+    }
+  }
+  while (!waiting.empty()) {
+    std::vector<std::uint32_t> cluster = {*waiting.begin()};
+    waiting.erase(waiting.begin());
+    const std::uint32_t group = groups.of_triangle[cluster.front()];
+    std::uint32_t best = kNone;
+    for (std::size_t i = 0; i < cluster.size(); ++i) {
+      for (const std::uint32_t n : surface_.neighbours[cluster[i]]) {
+        const std::uint32_t other = groups.of_triangle[n];
+        if (other == group && waiting.erase(n) > 0) cluster.push_back(n);
+        if (other == group || other == kNone) continue;
+        if (best == kNone || groups.groups[other].area > groups.groups[best].area) best = other;
+      }
+    }
+    // Its group may have fallen apart when others left it.
+    if (group != kNone && best != kNone &&
+        std::all_of(cluster.begin(), cluster.end(),
+                    [&](std::uint32_t t) { return lies_near(t, best); })) {
+      settler_.regroup(cluster, best);
+    } else {
+      still_wrong.insert(still_wrong.end(), cluster.begin(), cluster.end());
+    }
+  }
+  attempt.wrong = std::move(still_wrong);
+}
+
+bool Merger::lies_near(std::uint32_t triangle, std::uint32_t group) const {
+  const GridPlane& plane = settler_.groups().groups[group].plane;
+  const Int128 offset = static_cast<Int128>(plane.offset) << kGridBits;
+  const Corners& corners = surface_.triangles[triangle];
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+    const Int128 height = plane.height(surface_.points[v]) - offset;
+    return -tolerance_ <= height && height <= tolerance_;
+  });
+}
+
+void Merger::pin_corners(const Attempt& attempt, bool spread) {
+  const auto pin = [&](const Corners& corners) {
+    for (const std::uint32_t v : corners) settler_.pin(v);
   };
-  for (const std::uint32_t t : triangles) {
-    pin(t);
+  for (const std::uint32_t t : attempt.wrong) {
+    pin(surface_.triangles[t]);
+    pin(attempt.surface.triangles[t]);
     if (!spread) continue;
-    for (const std::uint32_t n : surface_.neighbours[t]) pin(n);
+    for (const std::uint32_t n : surface_.neighbours[t]) pin(surface_.triangles[n]);
   }
 }
 
@@ -156,7 +222,8 @@ std::optional<PlanarSurface> Merger::merge() {
     Attempt made = attempt();
     find_wrong(made);
     if (made.wrong.empty()) return finish(std::move(made));
-    pin_corners(made.wrong, round >= kFirstSpreadingRound);
+    if (made.has_folds) regroup_folds(made);
+    pin_corners(made, round >= kFirstSpreadingRound);
   }
   return std::nullopt;
 }

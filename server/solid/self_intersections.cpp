@@ -3,7 +3,12 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <map>
 #include <utility>
 
 namespace spoctree {
@@ -70,54 +75,184 @@ bool meet_wrongly(std::span<const Vec3> points, Corners a, Corners b) {
       {{point(a[0]), point(a[1]), point(a[2])}, {point(b[0]), point(b[1]), point(b[2])}, shared});
 }
 
+// A task of this many boxes is large enough for one thread.
+constexpr std::uint32_t kBoxesPerTask = 2048;
+constexpr std::size_t kQueriesPerTask = 1024;
+
+using TrianglePair = std::array<std::uint32_t, 2>;
+
+// The pairs of overlapping boxes for which is_wrong(i, j), in an order that does not depend on the
+// number of threads. Stops soon after kMostSelfIntersections.
+template <class IsWrong>
+std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
+                                     std::span<const std::uint32_t> node_labels,
+                                     const IsWrong& is_wrong) {
+  const std::vector<NodePair> tasks = boxes.split_pairs(kBoxesPerTask);
+  std::vector<TrianglePair> all;
+  // Few tasks at a time where much is found, so that little is done in vain.
+  std::size_t at_a_time = 16;
+  for (std::size_t begin = 0; begin < tasks.size() && all.size() < kMostSelfIntersections;) {
+    const std::size_t count = std::min(at_a_time, tasks.size() - begin);
+    std::vector<std::vector<TrianglePair>> found(count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+      boxes.visit_overlapping_pairs(
+          tasks[begin + k], node_labels, [&](std::uint32_t i, std::uint32_t j) {
+            if (found[k].size() < kMostSelfIntersections && is_wrong(i, j)) {
+              found[k].push_back({std::min(i, j), std::max(i, j)});
+            }
+          });
+    });
+    for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+    begin += count;
+    if (all.size() < 1000) at_a_time *= 2;
+  }
+  return all;
+}
+
+// Vertices in very many triangles: the boxes of these all overlap each other there.
+class Hubs {
+ public:
+  Hubs(std::span<const Vec3> points, std::span<const Corners> triangles)
+      : points_(points), triangles_(triangles) {
+    std::vector<std::uint32_t> degree(points.size(), 0);
+    for (const Corners& t : triangles) {
+      for (const std::uint32_t v : t) ++degree[v];
+    }
+    if (std::none_of(degree.begin(), degree.end(), is_large)) return;
+    hub_of_.assign(triangles.size(), BoxTree::kMixed);
+    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+      const std::uint32_t v = *std::max_element(
+          triangles[i].begin(), triangles[i].end(), [&](std::uint32_t p, std::uint32_t q) {
+            return degree[p] != degree[q] ? degree[p] < degree[q] : p > q;
+          });
+      if (is_large(degree[v])) hub_of_[i] = v;
+    }
+  }
+
+  // The hub of each triangle, or BoxTree::kMixed; empty if there are none.
+  const std::vector<std::uint32_t>& hub_of() const { return hub_of_; }
+
+  // Pairs of triangles of the same hub. What two triangles share with their hub's corner, they
+  // share along a ray from there: what is to be compared is where they are seen from the hub.
+  std::vector<TrianglePair> find_wrong_pairs() const {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> fans;
+    for (std::uint32_t i = 0; i < hub_of_.size(); ++i) {
+      if (hub_of_[i] != BoxTree::kMixed) fans[hub_of_[i]].push_back(i);
+    }
+    std::vector<TrianglePair> all;
+    for (const auto& [hub, fan] : fans) {
+      std::vector<Box> boxes;
+      for (const std::uint32_t i : fan) boxes.push_back(seen_from(hub, triangles_[i]));
+      const auto found =
+          find_pairs(BoxTree(boxes), {}, [&, &of = fan](std::uint32_t i, std::uint32_t j) {
+            return meet_wrongly(points_, triangles_[of[i]], triangles_[of[j]]);
+          });
+      for (const auto& [i, j] : found) all.push_back({fan[i], fan[j]});
+    }
+    return all;
+  }
+
+ private:
+  static bool is_large(std::uint32_t degree) { return degree > 256; }
+
+  // The box of the arc that the triangle covers on the unit sphere around the hub.
+  Box seen_from(std::uint32_t hub, const Corners& t) const {
+    Vec3 ends[2];
+    int count = 0;
+    for (const std::uint32_t v : t) {
+      if (v != hub) ends[count++] = glm::normalize(points_[v] - points_[hub]);
+    }
+    // The arc leaves its chord by less than this; the corners are rounded.
+    const double half_chord = std::min(1.0, 0.5 * glm::distance(ends[0], ends[1]));
+    const double margin = 1 - std::sqrt(1 - half_chord * half_chord) + 0x1p-40;
+    return {glm::min(ends[0], ends[1]) - margin, glm::max(ends[0], ends[1]) + margin};
+  }
+
+  std::span<const Vec3> points_;
+  std::span<const Corners> triangles_;
+  std::vector<std::uint32_t> hub_of_;
+};
+
+// All pairs of triangles that meet wrongly. Stops soon after kMostSelfIntersections.
+std::vector<TrianglePair> find_wrong_pairs(std::span<const Vec3> points,
+                                           std::span<const Corners> triangles,
+                                           const BoxTree& boxes) {
+  const Hubs hubs(points, triangles);
+  const std::vector<std::uint32_t>& hub_of = hubs.hub_of();
+  if (hub_of.empty()) {
+    return find_pairs(boxes, {}, [&](std::uint32_t i, std::uint32_t j) {
+      return meet_wrongly(points, triangles[i], triangles[j]);
+    });
+  }
+  std::vector<TrianglePair> found =
+      find_pairs(boxes, boxes.common_labels(hub_of), [&](std::uint32_t i, std::uint32_t j) {
+        return (hub_of[i] != hub_of[j] || hub_of[i] == BoxTree::kMixed) &&
+               meet_wrongly(points, triangles[i], triangles[j]);
+      });
+  const std::vector<TrianglePair> of_hubs = hubs.find_wrong_pairs();
+  found.insert(found.end(), of_hubs.begin(), of_hubs.end());
+  return found;
+}
+
 }  // namespace
 
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles,
                                           const BoxTree& boxes) {
   SelfIntersections found;
-  boxes.visit_overlapping_pairs([&](std::uint32_t i, std::uint32_t j) {
-    if (found.count() == kMostSelfIntersections) return;
-    if (!meet_wrongly(points, triangles[i], triangles[j])) return;
-    found.add({std::min(i, j), std::max(i, j)});
-  });
+  for (const TrianglePair& pair : find_wrong_pairs(points, triangles, boxes)) {
+    if (found.count() == kMostSelfIntersections) break;
+    found.add(pair);
+  }
   return found;
 }
 
-std::vector<std::array<std::uint32_t, 2>> find_new_self_intersections(
-    std::span<const Vec3> points, std::span<const Corners> triangles,
-    std::span<const std::uint32_t> changed, const BoxTree& boxes_before) {
-  std::vector<std::array<std::uint32_t, 2>> found;
-  const auto judge = [&](std::uint32_t i, std::uint32_t j) {
-    if (found.size() < kMostSelfIntersections && meet_wrongly(points, triangles[i], triangles[j])) {
-      found.push_back({i, j});
-    }
-  };
+std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> points,
+                                                      std::span<const Corners> triangles,
+                                                      std::span<const std::uint32_t> changed,
+                                                      const BoxTree& boxes_before) {
+  if (!Hubs(points, triangles).hub_of().empty()) {
+    // Boxes around a hub all overlap; the search among all triangles knows a way around that.
+    return find_wrong_pairs(points, triangles, box_tree_of(points, triangles));
+  }
   std::vector<Corners> changed_triangles;
   std::vector<std::uint8_t> is_changed(triangles.size(), 0);
   for (const std::uint32_t t : changed) {
     changed_triangles.push_back(triangles[t]);
     is_changed[t] = 1;
   }
-  box_tree_of(points, changed_triangles)
-      .visit_overlapping_pairs(
-          [&](std::uint32_t i, std::uint32_t j) { judge(changed[i], changed[j]); });
-  for (const std::uint32_t t : changed) {
-    const auto& [a, b, c] = triangles[t];
-    boxes_before.visit_overlapping(box_around(points[a], points[b], points[c]),
-                                   [&](std::uint32_t other) {
-                                     if (is_changed[other] == 0) judge(t, other);
-                                   });
+  std::vector<TrianglePair> found =
+      find_wrong_pairs(points, changed_triangles, box_tree_of(points, changed_triangles));
+  for (auto& [i, j] : found) {
+    i = changed[i];
+    j = changed[j];
   }
+  std::vector<std::vector<TrianglePair>> parts((changed.size() + kQueriesPerTask - 1) /
+                                               kQueriesPerTask);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    const std::size_t end = std::min(changed.size(), (part + 1) * kQueriesPerTask);
+    for (std::size_t k = part * kQueriesPerTask; k < end; ++k) {
+      const std::uint32_t t = changed[k];
+      const auto& [a, b, c] = triangles[t];
+      boxes_before.visit_overlapping(
+          box_around(points[a], points[b], points[c]), [&](std::uint32_t other) {
+            if (is_changed[other] == 0 && parts[part].size() < kQueriesPerTask &&
+                meet_wrongly(points, triangles[t], triangles[other])) {
+              parts[part].push_back({t, other});
+            }
+          });
+    }
+  });
+  for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
   return found;
 }
 
 BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles) {
-  std::vector<Box> boxes;
-  boxes.reserve(triangles.size());
-  for (const Corners& t : triangles) {
-    boxes.push_back(box_around(points[t[0]], points[t[1]], points[t[2]]));
-  }
+  std::vector<Box> boxes(triangles.size());
+  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+    const Corners& t = triangles[i];
+    boxes[i] = box_around(points[t[0]], points[t[1]], points[t[2]]);
+  });
   return BoxTree(boxes);
 }
 

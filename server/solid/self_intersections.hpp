@@ -19,14 +19,15 @@ inline constexpr std::size_t kMostSelfIntersections = 1'000'000;
 /// Pairs of triangles, the one with the smaller number first; at most kMostSelfIntersections.
 using SelfIntersections = FirstFound<std::array<std::uint32_t, 2>>;
 
-/// Exact for the given points. Near-linear for meshes whose triangles' boxes overlap few others.
+/// Exact for the given points. Near-linear for meshes whose triangles' boxes overlap few others;
+/// the triangles around one vertex may be many.
 /// REQUIRES: `boxes` holds the triangles' boxes; no triangle is degenerate; triangles that share
 /// two corners share an edge.
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles, const BoxTree& boxes);
 
-/// The pairs of which at least one triangle is `changed`, at most kMostSelfIntersections: what
-/// there is to find after some triangles of a surface without self-intersections have changed.
+/// The pairs of which at least one triangle is `changed`, or very many of them: what there is to
+/// find after some triangles of a surface without self-intersections have changed.
 /// `boxes_before` holds the boxes of the triangles before; those of the others have not changed.
 /// REQUIRES: as find_self_intersections; `changed` holds no triangle twice.
 std::vector<std::array<std::uint32_t, 2>> find_new_self_intersections(

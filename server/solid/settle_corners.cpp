@@ -66,6 +66,21 @@ void CornerSettler::pin(std::uint32_t vertex) {
   touch(vertex);
 }
 
+void CornerSettler::regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group) {
+  std::vector<std::uint32_t> left;
+  for (const std::uint32_t t : triangles) {
+    left.push_back(groups_.of_triangle[t]);
+    groups_.of_triangle[t] = group;
+    groups_.groups[group].triangles.push_back(t);
+    touch_corners(t);
+  }
+  std::sort(left.begin(), left.end());
+  left.erase(std::unique(left.begin(), left.end()), left.end());
+  for (const std::uint32_t g : left) {
+    for (const std::uint32_t t : drop_strangers(groups_, g)) touch_corners(t);
+  }
+}
+
 bool CornerSettler::is_on_all_planes(const GridPoint& point) const {
   return std::all_of(around_.begin(), around_.end(), [&](std::uint32_t group) {
     return is_on(groups_.groups[group].plane, point);

@@ -19,6 +19,9 @@ class CornerSettler {
   /// The corner stays where the file has it, from the next settle() on.
   void pin(std::uint32_t vertex);
 
+  /// Triangles change groups, from the next settle() on: all into one, which is not theirs.
+  void regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group);
+
   /// Moves corners and takes triangles out of groups until every corner is within kGridFlatness of
   /// the planes of all groups around it (before it is rounded to the grid, at most). Ends because
   /// every round takes a triangle out of a group; near-linear, as few rounds concern more than a
