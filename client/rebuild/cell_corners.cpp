@@ -212,16 +212,16 @@ bool CellCorners::cross(const Point& from, const Point& to, unsigned k, PlaneRef
   });
 }
 
-/// The alternating sum where three planes meet, l and k on the line through `from` and `to`. Many
-/// planes pass through about one point where a vertex of the solid is: a side that is in doubt is
-/// only looked for if the sum depends on it. Nothing if four planes meet.
+/// The alternating sum where plane m meets the line through `from` and `to`, on planes k and l.
+/// Many planes pass through about one point where a vertex of the solid is: a side that is in doubt
+/// is only looked for if the sum depends on it; `counts` says where it is not zero. Nothing if four
+/// planes meet.
 std::optional<int> CellCorners::sum_inside(const Point& from, const Point& to, unsigned k,
-                                           unsigned l, unsigned m) {
+                                           unsigned l, unsigned m, std::uint64_t counts) {
   Point point;
   Sides in_doubt = interpolate(from, to, m, point);
   Sides sides = point.sides & ~in_doubt;
-  const std::uint64_t counts = where_not_zero(bit(k) | bit(l) | bit(m));
-  while (may_count(counts, sides, in_doubt)) {
+  while ((counts & reach(sides, in_doubt)) != 0) {
     if (in_doubt == 0) return alternating_sum(sides, bit(k), bit(l), bit(m));
     const auto j = static_cast<unsigned>(std::countr_zero(in_doubt));
     const int side = side_inside(k, l, m, (to.sides & bit(m)) != 0, j);
@@ -251,42 +251,59 @@ int CellCorners::side_inside(unsigned k, unsigned l, unsigned m, bool is_positiv
   return (passed % 2 == 0) == is_positive ? -sign : sign;
 }
 
-/// For sides of the own planes, if these are few: where the alternating sum over some planes is not
-/// zero. Sixty-four sums at once: the numbers of sectors with material that count +1 and -1, as
-/// binary digits.
-std::uint64_t CellCorners::where_not_zero(Sides meeting) const {
-  if (own_mask_ > 63) return ~std::uint64_t{0};
-  std::uint64_t sectors[8] = {material_[0]};
+/// The alternating sums over the sectors of two planes, sixty-four at once: binary digits of what
+/// they are above the least that they can be. Where one of the two has its bit set, they are
+/// nonsense.
+CellCorners::PairSums CellCorners::sums_of_pair(unsigned k, unsigned l) const {
+  PairSums sums{};
+  if (!is_one_word()) return sums;
+  // Sectors that count -1 add one where they are not material.
+  std::uint64_t terms[4] = {material_[0]};
   unsigned count = 1;
-  // Where a plane's bit is set, tables say the same as where it is not, but nobody asks.
-  for_each_bit(meeting & own_mask_, [&](unsigned k) {
-    for (unsigned i = 0; i < count; ++i) sectors[count + i] = sectors[i] >> bit(k);
+  for (const unsigned plane : {k, l}) {
+    if (!is_own(plane)) continue;  // no material outside of a bound
+    for (unsigned i = 0; i < count; ++i) terms[count + i] = ~(terms[i] >> bit(plane));
     count *= 2;
-    return true;
-  });
-  std::uint64_t digits[2][3] = {};
+  }
   for (unsigned i = 0; i < count; ++i) {
-    auto& sum = digits[std::popcount(i) % 2];
-    std::uint64_t carry = sectors[i];
-    for (std::uint64_t& digit : sum) {
+    std::uint64_t carry = terms[i];
+    for (std::uint64_t& digit : sums.digits) {
       const std::uint64_t both = digit & carry;
       digit ^= carry;
       carry = both;
     }
   }
-  return (digits[0][0] ^ digits[1][0]) | (digits[0][1] ^ digits[1][1]) |
-         (digits[0][2] ^ digits[1][2]);
+  return sums;
 }
 
-/// True if for some sides of the planes in doubt there is something to count.
-bool CellCorners::may_count(std::uint64_t where, Sides sides, Sides in_doubt) const {
-  if ((sides & ~own_mask_) != 0) return false;
-  if (own_mask_ > 63) return true;
-  for (unsigned k = 0; (own_mask_ >> k) != 0; ++k) {
-    if ((in_doubt & bit(k)) != 0) continue;
-    where &= (sides & bit(k)) != 0 ? kOutside[k] : ~kOutside[k];
-  }
-  return where != 0;
+/// Where the sums are not zero: see sums_of_pair for what they are then.
+std::uint64_t CellCorners::not_zero(const PairSums& sums, unsigned k, unsigned l) const {
+  if (!is_one_word()) return ~std::uint64_t{0};
+  const unsigned own = (is_own(k) ? 1u : 0u) + (is_own(l) ? 1u : 0u);
+  const std::uint64_t first = own == 1 ? ~sums.digits[0] : sums.digits[0];
+  const std::uint64_t second = own == 2 ? ~sums.digits[1] : sums.digits[1];
+  return first | second | sums.digits[2];
+}
+
+/// Where they change from one side of another plane to the other.
+std::uint64_t CellCorners::changes(const PairSums& sums, unsigned k, unsigned l, unsigned m) const {
+  if (!is_one_word() || !is_own(m)) return not_zero(sums, k, l);
+  std::uint64_t result = 0;
+  for (const std::uint64_t digit : sums.digits) result |= digit ^ (digit >> bit(m));
+  return result;
+}
+
+/// Sides of the own planes that are possible with these sides, but for the planes in doubt: none if
+/// all that is outside of a bound.
+std::uint64_t CellCorners::reach(Sides sides, Sides in_doubt) const {
+  if ((sides & ~own_mask_) != 0) return 0;
+  std::uint64_t result = ~std::uint64_t{0};
+  if (!is_one_word()) return result;
+  for_each_bit(own_mask_ & ~in_doubt, [&](unsigned k) {
+    result &= (sides & bit(k)) != 0 ? kOutside[k] : ~kOutside[k];
+    return true;
+  });
+  return result;
 }
 
 void CellCorners::put_end(Ends& ends, bool is_exit, std::uint32_t point) const {
@@ -371,12 +388,16 @@ bool CellCorners::find_inside() {
       const Point& to = points_[ends.exit];
       const Sides separating = from.sides ^ to.sides;
       const Sides later = separating & ~(bit(l + 1) - 1);
-      if (later == 0 ||
-          !may_count(where_not_zero(bit(k) | bit(l)), from.sides & ~separating, separating)) {
-        continue;
-      }
+      if (later == 0) continue;
+      const std::uint64_t possible = reach(from.sides & ~separating, separating);
+      if (possible == 0) continue;
+      const PairSums sums = sums_of_pair(k, l);
+      if ((possible & not_zero(sums, k, l)) == 0) continue;
       const bool is_fine = for_each_bit(later, [&](unsigned m) {
-        const std::optional<int> sum = sum_inside(from, to, k, l, m);
+        const std::uint64_t counts = changes(sums, k, l, m);
+        const std::uint64_t inside = is_own(m) && m < 6 ? ~kOutside[m] : ~std::uint64_t{0};
+        if ((counts & possible & inside) == 0) return true;
+        const std::optional<int> sum = sum_inside(from, to, k, l, m, counts);
         if (!sum) return false;
         const bool is_positive = (to.sides & bit(m)) != 0;
         add(numbers_[k], numbers_[l], numbers_[m], is_positive ? *sum : -*sum);

@@ -82,10 +82,18 @@ class CellCorners {
   bool cross(const Point& from, const Point& to, unsigned k, PlaneRef on, PlaneRef also_on,
              Point& point) const;
   std::optional<int> sum_inside(const Point& from, const Point& to, unsigned k, unsigned l,
-                                unsigned m);
+                                unsigned m, std::uint64_t counts);
   int side_inside(unsigned k, unsigned l, unsigned m, bool is_positive, unsigned j);
-  bool may_count(std::uint64_t where_not_zero, Sides sides, Sides in_doubt) const;
-  std::uint64_t where_not_zero(Sides meeting) const;
+  /// Words of sums have one bit for all sides of the own planes, if these are few.
+  struct PairSums {
+    std::uint64_t digits[3];
+  };
+  bool is_one_word() const { return own_mask_ < 64; }
+  bool is_own(unsigned k) const { return ((own_mask_ >> k) & 1) != 0; }
+  PairSums sums_of_pair(unsigned k, unsigned l) const;
+  std::uint64_t not_zero(const PairSums& sums, unsigned k, unsigned l) const;
+  std::uint64_t changes(const PairSums& sums, unsigned k, unsigned l, unsigned m) const;
+  std::uint64_t reach(Sides sides, Sides in_doubt) const;
   void put_end(Ends& ends, bool is_exit, std::uint32_t point) const;
 
   bool is_material(Sides sides) const {

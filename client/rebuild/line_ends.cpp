@@ -66,16 +66,26 @@ std::vector<LineEnd> find_line_ends(std::span<const CornerCount> corners, Carrie
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (std::uint32_t i = 0; i < corners.size(); ++i) sorted[next[vertices[i]]++] = i;
 
-  std::vector<LineEnd> result;
-  result.reserve(3 * corners.size());
-  std::vector<LineEnd> here;
-  for (std::uint32_t vertex = 0; vertex + 1 < begin.size(); ++vertex) {
-    here.clear();
-    for (std::uint32_t k = begin[vertex]; k < begin[vertex + 1]; ++k) {
-      append_ends(corners[sorted[k]], planes[sorted[k]].carriers, vertex, here);
+  constexpr std::uint32_t kVerticesPerTask = 4096;
+  const auto vertex_count = static_cast<std::uint32_t>(welder.vertices().size());
+  std::vector<std::vector<LineEnd>> parts((vertex_count + kVerticesPerTask - 1) / kVerticesPerTask);
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+    std::vector<LineEnd> here;
+    const auto first = static_cast<std::uint32_t>(part) * kVerticesPerTask;
+    const std::uint32_t last = std::min(vertex_count, first + kVerticesPerTask);
+    for (std::uint32_t vertex = first; vertex < last; ++vertex) {
+      here.clear();
+      for (std::uint32_t k = begin[vertex]; k < begin[vertex + 1]; ++k) {
+        append_ends(corners[sorted[k]], planes[sorted[k]].carriers, vertex, here);
+      }
+      sum_up(here, parts[part]);
     }
-    sum_up(here, result);
-  }
+  });
+  std::size_t count = 0;
+  for (const auto& part : parts) count += part.size();
+  std::vector<LineEnd> result;
+  result.reserve(count);
+  for (const auto& part : parts) result.insert(result.end(), part.begin(), part.end());
   return result;
 }
 
