@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 
+#include "client/rebuild/double_pair.hpp"
 #include "common/geometry/predicates.hpp"
 
 namespace spoctree {
@@ -37,7 +38,7 @@ bool CellCorners::find(const NodeAddress& cell, NodeKind kind,
                        std::span<const std::uint32_t> planes,
                        std::span<const std::uint32_t> expression,
                        std::span<const std::uint32_t> bounds, std::size_t near_bounds,
-                       CornerSum& sum) {
+                       CubeCorners& cube, CornerSum& sum) {
   if (!take_planes(kind, planes, expression, bounds)) return false;
   take_walls(cell);
   found_count_ = 0;
@@ -46,11 +47,13 @@ bool CellCorners::find(const NodeAddress& cell, NodeKind kind,
   if (near_bounds < bounds.size()) {
     drop_far_bounds(static_cast<unsigned>(planes.size() + near_bounds), planes.size());
   }
-  find_cube_corners();
   if (!find_on_edges() || !find_on_faces() || !find_inside()) return false;
   for (unsigned i = 0; i < found_count_; ++i) {
     const Found& found = found_[i];
     sum.add(found.planes[0], found.planes[1], found.planes[2], found.count);
+  }
+  for (unsigned i = 0; i < 8; ++i) {
+    cube[i] = is_material(corners_[i].sides) ? kFullCube[i] : 0;
   }
   return true;
 }
@@ -128,6 +131,7 @@ bool CellCorners::find_sides_of_cube() {
   for (Point& corner : corners_) {
     corner.sides = 0;
     corner.error = kRounding;
+    if (count_ % 2 != 0) corner.values[count_] = 0;
   }
   for (unsigned k = 0; k < count_; ++k) {
     const Plane& plane = coefficients_[k];
@@ -161,14 +165,6 @@ void CellCorners::drop_far_bounds(unsigned near, std::size_t own) {
   for (Point& corner : corners_) corner.sides &= bit(near) - 1;
 }
 
-void CellCorners::find_cube_corners() {
-  for (unsigned i = 0; i < 8; ++i) {
-    if (!is_material(corners_[i].sides)) continue;
-    const int sign = std::popcount(i) % 2 == 1 ? 1 : -1;
-    add(wall_numbers_[i & 1], wall_numbers_[2 + ((i >> 1) & 1)], wall_numbers_[4 + (i >> 2)], sign);
-  }
-}
-
 /// Where the line through `from` and `to` meets the k-th plane, which is one of those that separate
 /// them: the values of all planes, and the sides as these say. Returns the planes whose side is in
 /// doubt. Without branches, as far as it goes: no processor foresees a sign.
@@ -180,7 +176,7 @@ CellCorners::Sides CellCorners::interpolate(const Point& from, const Point& to, 
   point.sides = from.sides & ~separating;
   const Sides others = separating & ~bit(k);
   if (!(std::abs(span) > 4 * error)) {
-    std::fill(point.values, point.values + count_, 0.0);
+    std::fill(point.values, point.values + count_ + count_ % 2, 0.0);
     point.error = kUnknown;
     return others;
   }
@@ -188,13 +184,16 @@ CellCorners::Sides CellCorners::interpolate(const Point& from, const Point& to, 
   const double along = from.values[k] * scale;
   // With distances a and b that err by e, the parameter a / (a - b) errs by at most e / |a - b|.
   point.error = 1.5 * error + error * longest_ * std::abs(scale) + kRounding;
+  const DoublePair step(along);
+  const DoublePair reliable(point.error);
   Sides outside = 0;
-  Sides in_doubt = 0;
-  for (unsigned j = 0; j < count_; ++j) {
-    const double value = from.values[j] + along * (to.values[j] - from.values[j]);
-    point.values[j] = value;
-    outside |= static_cast<Sides>(value > 0) << j;
-    in_doubt |= static_cast<Sides>(!(std::abs(value) > point.error)) << j;
+  Sides in_doubt = ~Sides{0};
+  for (unsigned j = 0; j < count_; j += 2) {
+    const DoublePair start = DoublePair::load(from.values + j);
+    const DoublePair value = start + step * (DoublePair::load(to.values + j) - start);
+    value.store(point.values + j);
+    outside |= value.is_larger_than(DoublePair(0)) << j;
+    in_doubt &= ~(value.magnitude().is_larger_than(reliable) << j);
   }
   point.sides |= outside & others;
   return in_doubt & others;

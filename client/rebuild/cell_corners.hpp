@@ -10,6 +10,7 @@
 // three planes: minus once per plane that the sector is outside of, if the sector is material.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,29 +22,38 @@
 
 namespace spoctree {
 
+/// How often the boundary has a corner in each corner of a cube (by one bit per axis), if its walls
+/// are taken in the order of the axes: see CornerCount.
+using CubeCorners = std::array<std::int32_t, 8>;
+
+/// Those of a cube full of material.
+inline constexpr CubeCorners kFullCube = {-1, 1, 1, -1, 1, -1, -1, 1};
+
 /// Finds corners cell by cell. Holds working memory: use one per thread.
 class CellCorners {
  public:
   CellCorners(const Octree& tree, const Carriers& carriers)
       : planes_(tree.plane_set()), carriers_(carriers) {
     points_.resize_unset(kMostPoints);
-    found_.resize_unset(8 + kMostPoints + kMostInside + 1);
+    found_.resize_unset(kMostPoints + kMostInside + 1);
   }
 
-  /// Adds to `sum` the corners of the material in a cell: of the region inside all planes of
-  /// `bounds`, that part that a node of this kind takes (GREY: all inside its planes). If anything
+  /// The corners of the material in a cell, those in corners of the cube as `cube`, others added to
+  /// `sum`. The material is, of the region inside all planes of `bounds`, that part that a node of
+  /// this kind takes (GREY: all inside its planes). If anything
   /// of the region is in the cell, the first `near_bounds` of the bounds bound it. False, and
   /// nothing is added, if the cell is not for this: planes that meet where they need not (four in a
   /// point, or one in a corner of the cube), or too many planes.
   /// O(the points of the arrangement).
   bool find(const NodeAddress& cell, NodeKind kind, std::span<const std::uint32_t> planes,
             std::span<const std::uint32_t> expression, std::span<const std::uint32_t> bounds,
-            std::size_t near_bounds, CornerSum& sum);
+            std::size_t near_bounds, CubeCorners& cube, CornerSum& sum);
 
  private:
   /// More are left to others: own planes of VERTEX and CONCAVE nodes, and planes altogether.
   static constexpr unsigned kMaxOwnPlanes = 10;
   static constexpr unsigned kMaxPlanes = 14;
+  static_assert(kMaxPlanes % 2 == 0);
   /// On the edges and on the faces of the cube, and inside.
   static constexpr unsigned kMostPoints = 12 * kMaxPlanes + 6 * (kMaxPlanes * (kMaxPlanes - 1) / 2);
   static constexpr unsigned kMostInside = kMaxPlanes * (kMaxPlanes - 1) * (kMaxPlanes - 2) / 6;
@@ -53,6 +63,7 @@ class CellCorners {
   struct Point {
     Sides sides;   ///< of the planes that do not meet here; 0 for those that do
     double error;  ///< bound for all values
+    /// Pairs of them, so there may be a meaningless one behind the last plane's.
     double values[kMaxPlanes];
   };
   /// Where a line enters the cube and where it leaves, as numbers of points.
@@ -74,7 +85,6 @@ class CellCorners {
   void take_walls(const NodeAddress& cell);
   bool find_sides_of_cube();
   void drop_far_bounds(unsigned near, std::size_t own);
-  void find_cube_corners();
   bool find_on_edges();
   bool find_on_faces();
   bool find_inside();

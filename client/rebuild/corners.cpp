@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "client/rebuild/cell_corners.hpp"
@@ -47,49 +48,98 @@ class PartWalker {
   PartWalker(const Octree& tree, std::uint32_t last_level, const Carriers& carriers, CornerSum& sum)
       : tree_(tree),
         last_level_(last_level),
+        carriers_(carriers),
         sum_(sum),
         regions_(tree),
         cell_corners_(tree, carriers),
         polyhedron_corners_(carriers, sum),
         storage_(tree.levels.size()) {}
 
-  /// `bounds` are the ancestors' planes that may cut the node's cube, the first `near_bounds` those
-  /// that do if any does (see CellRegions::select); `parent_region` may be null.
-  void visit(const NodeAddress& node, std::span<const std::uint32_t> bounds,
-             std::size_t near_bounds, const Polyhedron* parent_region) {
-    const Level& level = tree_.levels[node.level];
-    const NodeKind kind = level.kinds[node.index];
-    if (kind == NodeKind::White) return;
-    const auto planes = level.planes_of(node.index);
-    if (kind != NodeKind::Grey || node.level == last_level_) {
-      if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds,
-                              near_bounds, sum_)) {
-        visit_pieces(node, bounds);
-      }
-      return;
-    }
-    const std::uint32_t first_child = level.first_child[node.index];
-    if (bounds.empty() && planes.empty()) {
-      visit_children(node, first_child, nullptr);
-      return;
-    }
-    Polyhedron& region = storage_[node.level];
-    if (regions_.make(node, bounds, parent_region, region) && regions_.clip(region, planes)) {
-      visit_children(node, first_child, &region);
-    }
+  /// `bounds` are the ancestors' planes that may cut the root's cube; `parent_region` may be null.
+  void walk(const NodeAddress& root, std::span<const std::uint32_t> bounds,
+            const Polyhedron* parent_region) {
+    Grid grid{};
+    put(visit(root, bounds, bounds.size(), parent_region), 0, grid);
+    for (std::uint32_t i = 0; i < 8; ++i) add_to_sum(grid, root, i & 1, (i >> 1) & 1, i >> 2, 1);
   }
 
  private:
-  void visit_children(const NodeAddress& parent, std::uint32_t first_child,
-                      const Polyhedron* region) {
+  /// Corners where walls of the eight children of a node meet: at x + 3 y + 9 z, from 0 to 2.
+  using Grid = std::array<std::int32_t, 27>;
+
+  static void put(const CubeCorners& cube, std::uint32_t octant, Grid& grid) {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const std::uint32_t x = (i & 1) + (octant & 1);
+      const std::uint32_t y = ((i >> 1) & 1) + ((octant >> 1) & 1);
+      const std::uint32_t z = (i >> 2) + (octant >> 2);
+      grid[x + 3 * y + 9 * z] += cube[i];
+    }
+  }
+
+  /// The walls of the grid are so many parts of the node's side apart: one, or two.
+  void add_to_sum(const Grid& grid, const NodeAddress& node, std::uint32_t x, std::uint32_t y,
+                  std::uint32_t z, std::uint32_t parts) {
+    const std::int32_t count = grid[x + 3 * y + 9 * z];
+    if (count == 0) return;
+    const std::uint32_t step = node.size() / parts;
+    const auto wall = [&](int axis, std::uint32_t i) {
+      return carriers_.number_of(PlaneRef::of_wall(axis, node.lower[axis] + i * step));
+    };
+    sum_.add(wall(0, x), wall(1, y), wall(2, z), count);
+  }
+
+  /// Adds up what is in a subtree, but for the corners of its root's cube. The first `near_bounds`
+  /// of the bounds cut the cube if any does (see CellRegions::select).
+  CubeCorners visit(const NodeAddress& node, std::span<const std::uint32_t> bounds,
+                    std::size_t near_bounds, const Polyhedron* parent_region) {
+    const Level& level = tree_.levels[node.level];
+    const NodeKind kind = level.kinds[node.index];
+    if (kind == NodeKind::White) return {};
+    if (kind == NodeKind::Black && bounds.empty()) return kFullCube;
+    const auto planes = level.planes_of(node.index);
+    if (kind != NodeKind::Grey || node.level == last_level_) {
+      CubeCorners cube{};
+      if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds,
+                              near_bounds, cube, sum_)) {
+        visit_pieces(node, bounds);
+      }
+      return cube;
+    }
+    const std::uint32_t first_child = level.first_child[node.index];
+    if (bounds.empty() && planes.empty()) return visit_children(node, first_child, nullptr);
+    Polyhedron& region = storage_[node.level];
+    if (!regions_.make(node, bounds, parent_region, region) || !regions_.clip(region, planes)) {
+      return {};
+    }
+    return visit_children(node, first_child, &region);
+  }
+
+  CubeCorners visit_children(const NodeAddress& parent, std::uint32_t first_child,
+                             const Polyhedron* region) {
+    Grid grid{};
     const auto frame = regions_.open(region);
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
       const NodeAddress child = parent.child(first_child, octant);
       // A node is done with `bounds_` when it comes to its children.
       std::size_t near = 0;
-      if (regions_.select(frame, child, bounds_, near)) visit(child, bounds_, near, region);
+      if (regions_.select(frame, child, bounds_, near)) {
+        put(visit(child, bounds_, near, region), octant, grid);
+      }
     }
     regions_.close(frame);
+    CubeCorners cube{};
+    for (std::uint32_t z = 0; z < 3; ++z) {
+      for (std::uint32_t y = 0; y < 3; ++y) {
+        for (std::uint32_t x = 0; x < 3; ++x) {
+          if (x == 1 || y == 1 || z == 1) {
+            add_to_sum(grid, parent, x, y, z, 2);
+          } else {
+            cube[x / 2 + y + 2 * z] = grid[x + 3 * y + 9 * z];
+          }
+        }
+      }
+    }
+    return cube;
   }
 
   void visit_pieces(const NodeAddress& leaf, std::span<const std::uint32_t> bounds) {
@@ -100,6 +150,7 @@ class PartWalker {
 
   const Octree& tree_;
   const std::uint32_t last_level_;
+  const Carriers& carriers_;
   CornerSum& sum_;
   CellRegions regions_;
   CellCorners cell_corners_;
@@ -132,8 +183,7 @@ class CornerFinder {
     CornerSum sum;
     Part part;
     if (is_task(node)) {
-      PartWalker(tree_, last_level_, carriers_, sum)
-          .visit(node, bounds, bounds.size(), parent_region);
+      PartWalker(tree_, last_level_, carriers_, sum).walk(node, bounds, parent_region);
       divide(sum, node, carriers_, part);
       return part;
     }

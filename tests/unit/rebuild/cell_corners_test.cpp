@@ -44,11 +44,19 @@ class LeafComparison {
       return;
     }
     CornerSum sum;
+    CubeCorners cube{};
     if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds,
-                            bounds.size(), sum)) {
+                            bounds.size(), cube, sum)) {
       ++left_out;
       EXPECT_TRUE(take(sum).empty());
       return;
+    }
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      const auto wall = [&](int axis, std::uint32_t upper) {
+        const std::uint32_t at = node.lower[axis] + upper * node.size();
+        return carriers_.number_of(PlaneRef::of_wall(axis, at));
+      };
+      sum.add(wall(0, i & 1), wall(1, (i >> 1) & 1), wall(2, i >> 2), cube[i]);
     }
     const Corners found = take(sum);
     PolyhedronCorners polyhedra(carriers_, sum);
