@@ -5,9 +5,11 @@
 
 namespace spoctree {
 
-/// Neighbouring triangles become one face when all their corners lie within this distance of one
-/// plane (`build --flat-tolerance`). The default merges what differs by the rounding of doubles.
-inline constexpr double kDefaultFlatTolerance = 1e-12;
+/// Neighbouring triangles become one face when all their corners lie between two parallel planes
+/// this far apart (`build --flat-tolerance`; a fraction of the bounding box's diagonal); the
+/// corners are moved onto the face. The default merges what differs by the rounding of single
+/// precision.
+inline constexpr double kDefaultFlatTolerance = 1e-6;
 
 /// Rebuilt vertices closer than this become one vertex: several planes that meet in one vertex of
 /// the solid meet, once rounded to the grid, in a cluster of vertices far smaller than this.
@@ -38,7 +40,8 @@ inline constexpr double kJoinTolerance = 1e-9;
 inline constexpr double kEdgeOnTolerance = 1e-12;
 
 /// Parts of a crease that are seen, or hidden, over less than this are taken for what lies beside
-/// them: where a crease passes a wall or an outline at a flat angle, the tolerances above reach far.
+/// them: where a crease passes a wall or an outline at a flat angle, the tolerances above reach
+/// far.
 inline constexpr double kShortestGlimpse = 1e-7;
 
 /// Visible line parts shorter than this are not drawn (fraction of the universe cube's diagonal).

@@ -210,12 +210,12 @@ TEST(RepairedFiles, HaveTheVolumeOfTheOriginal) {
   const char* folder = meshes_folder();
   if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
   const fs::path meshes = folder;
-  const Solid original = import_solid(read_mesh(meshes / "cad/anchor_1050f.off"), "anchor", {});
+  const Solid original = import_solid(read_mesh(meshes / "cad/anchor_1050f.off"), "anchor", {0});
   EXPECT_NEAR(original.volume, kAnchor, 1e-14);
   for (const char* name :
        {"made_duplicate-face.off", "made_one-face-flipped.off", "made_one-face-missing.off"}) {
     const PolygonSoup soup = read_mesh(meshes / "broken" / name);
-    const Solid repaired = import_solid(repair(soup).soup, name, {});
+    const Solid repaired = import_solid(repair(soup).soup, name, {0});
     EXPECT_DOUBLE_EQ(repaired.volume, original.volume) << name;
     EXPECT_EQ(repaired.triangles.size(), 1050u) << name;
     EXPECT_EQ(repaired.planes.size(), original.planes.size()) << name;

@@ -24,7 +24,7 @@ class DrawingCorpus : public testing::TestWithParam<const char*> {};
 TEST_P(DrawingCorpus, ShowsWhatRaysSee) {
   const char* folder = meshes_folder();
   if (folder == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
-  const Solid solid = import_solid(read_mesh(fs::path(folder) / GetParam()), GetParam(), {});
+  const Solid solid = import_solid(read_mesh(fs::path(folder) / GetParam()), GetParam(), {1e-12});
   const SolidQueries queries(solid);
   const Octree tree = build_octree(solid, queries, {}).tree;
   const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);

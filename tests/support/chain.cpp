@@ -195,7 +195,7 @@ ChainFigures judge_chain(const std::string& name, const PolygonSoup& soup,
                          const ChainOptions& options) {
   SCOPED_TRACE(name);
   ChainFigures figures;
-  const Solid solid = import_solid(soup, name, {});
+  const Solid solid = import_solid(soup, name, {options.flat_tolerance});
   const SolidQueries queries(solid);
   BuiltOctree built = build_octree(solid, queries, {});
   certify(built, solid, queries);
@@ -218,9 +218,10 @@ ChainFigures judge_chain(const std::string& name, const PolygonSoup& soup,
     figures.references += level.references.size();
   }
 
-  // Where polygons are uneven, or face inwards, the solid's triangles are what the file means.
-  const bool is_judged_by_file =
-      solid.report.largest_unevenness <= kEven && !solid.report.was_turned;
+  // Where polygons are uneven, or face inwards, the solid's triangles are what the file means, and
+  // where faces were merged, they are what is served.
+  const bool is_judged_by_file = solid.report.largest_unevenness <= kEven &&
+                                 !solid.report.was_turned && solid.report.largest_move == 0;
   const PlainMesh input = is_judged_by_file ? to_plain(soup) : mesh_of(solid);
   const MeshJudge judge(input);
   Random random(20240229);

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "common/geometry/tolerances.hpp"
 #include "common/tree/octree.hpp"
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/solid.hpp"
@@ -12,6 +13,7 @@
 namespace spoctree {
 
 struct ChainOptions {
+  double flat_tolerance = kDefaultFlatTolerance;
   std::size_t points = 10000;
   /// Intermediate levels are rebuilt for models of at most so many nodes.
   std::size_t rebuild_levels_up_to = 3000;
