@@ -18,10 +18,6 @@ constexpr double kRounding = 0x1p-49;
 /// Of a point about whose values nothing is known.
 constexpr double kUnknown = 1e300;
 
-/// Bit s of the k-th word: sides s have bit k.
-constexpr std::uint64_t kOutside[6] = {0xaaaaaaaaaaaaaaaa, 0xcccccccccccccccc, 0xf0f0f0f0f0f0f0f0,
-                                       0xff00ff00ff00ff00, 0xffff0000ffff0000, 0xffffffff00000000};
-
 template <class Visit>
 bool for_each_bit(std::uint32_t bits, Visit&& visit) {
   for (; bits != 0; bits &= bits - 1) {
@@ -53,7 +49,7 @@ bool CellCorners::find(const NodeAddress& cell, NodeKind kind,
     sum.add(found.planes[0], found.planes[1], found.planes[2], found.count);
   }
   for (unsigned i = 0; i < 8; ++i) {
-    cube[i] = is_material(corners_[i].sides) ? kFullCube[i] : 0;
+    cube[i] = material_.is_material(corners_[i].sides) ? kFullCube[i] : 0;
   }
   return true;
 }
@@ -62,10 +58,7 @@ bool CellCorners::take_planes(NodeKind kind, std::span<const std::uint32_t> plan
                               std::span<const std::uint32_t> expression,
                               std::span<const std::uint32_t> bounds) {
   if (planes.size() + bounds.size() > kMaxPlanes) return false;
-  const bool is_mixed = kind == NodeKind::Concave || kind == NodeKind::Vertex;
-  const auto own = static_cast<unsigned>(is_mixed ? planes.size() : 0);
-  if (own > kMaxOwnPlanes) return false;
-  own_mask_ = bit(own) - 1;
+  if (!material_.take(kind, static_cast<unsigned>(planes.size()), expression)) return false;
   count_ = 0;
   const auto take = [&](std::uint32_t plane) {
     refs_[count_] = PlaneRef::of_table(plane);
@@ -75,43 +68,7 @@ bool CellCorners::take_planes(NodeKind kind, std::span<const std::uint32_t> plan
   };
   for (const std::uint32_t plane : planes) take(plane);
   for (const std::uint32_t plane : bounds) take(plane);
-  if (kind == NodeKind::Vertex) {
-    tabulate(expression);
-  } else if (kind == NodeKind::Concave) {
-    // Everything but what is outside all planes.
-    std::fill(material_, material_ + (bit(own) + 63) / 64, ~std::uint64_t{0});
-    material_[own_mask_ >> 6] &= ~(std::uint64_t{1} << (own_mask_ & 63));
-  } else {
-    material_[0] = 1;
-  }
   return true;
-}
-
-/// From the last token to the first, so that what a split chooses from is there: the tables of the
-/// two parts, the inner one on top.
-void CellCorners::tabulate(std::span<const std::uint32_t> expression) {
-  const std::size_t words = (own_mask_ >> 6) + 1;
-  tables_.clear();
-  for (std::size_t i = expression.size(); i-- > 0;) {
-    const std::uint32_t token = expression[i];
-    if (token < kFirstPlaneToken) {
-      for (std::size_t w = 0; w < words; ++w) {
-        tables_.push_back(token == kInToken ? ~std::uint64_t{0} : 0);
-      }
-      continue;
-    }
-    const std::uint32_t k = token - kFirstPlaneToken;
-    std::uint64_t* const inside = tables_.end() - words;
-    std::uint64_t* const outside = inside - words;
-    for (std::size_t w = 0; w < words; ++w) {
-      const std::uint64_t is_outside = k < 6                       ? kOutside[k]
-                                       : ((w >> (k - 6)) & 1) != 0 ? ~std::uint64_t{0}
-                                                                   : 0;
-      outside[w] = (outside[w] & is_outside) | (inside[w] & ~is_outside);
-    }
-    tables_.resize_unset(tables_.size() - words);
-  }
-  std::copy(tables_.begin(), tables_.begin() + words, material_);
 }
 
 void CellCorners::take_walls(const NodeAddress& cell) {
@@ -168,8 +125,7 @@ void CellCorners::drop_far_bounds(unsigned near, std::size_t own) {
 /// Where the line through `from` and `to` meets the k-th plane, which is one of those that separate
 /// them: the values of all planes, and the sides as these say. Returns the planes whose side is in
 /// doubt. Without branches, as far as it goes: no processor foresees a sign.
-CellCorners::Sides CellCorners::interpolate(const Point& from, const Point& to, unsigned k,
-                                            Point& point) const {
+Sides CellCorners::interpolate(const Point& from, const Point& to, unsigned k, Point& point) const {
   const double span = from.values[k] - to.values[k];
   const double error = std::max(from.error, to.error);
   const Sides separating = from.sides ^ to.sides;
@@ -216,12 +172,12 @@ bool CellCorners::cross(const Point& from, const Point& to, unsigned k, PlaneRef
 /// is only looked for if the sum depends on it; `counts` says where it is not zero. Nothing if four
 /// planes meet.
 std::optional<int> CellCorners::sum_inside(const Point& from, const Point& to, unsigned k,
-                                           unsigned l, unsigned m, std::uint64_t counts) {
+                                           unsigned l, unsigned m, MaterialTable::SidesSet counts) {
   Point point;
   Sides in_doubt = interpolate(from, to, m, point);
   Sides sides = point.sides & ~in_doubt;
-  while ((counts & reach(sides, in_doubt)) != 0) {
-    if (in_doubt == 0) return alternating_sum(sides, bit(k), bit(l), bit(m));
+  while ((counts & material_.possible(sides, in_doubt)) != 0) {
+    if (in_doubt == 0) return material_.sum(sides, bit(k), bit(l), bit(m));
     const auto j = static_cast<unsigned>(std::countr_zero(in_doubt));
     const int side = side_inside(k, l, m, (to.sides & bit(m)) != 0, j);
     if (side == 0) return std::nullopt;
@@ -250,61 +206,6 @@ int CellCorners::side_inside(unsigned k, unsigned l, unsigned m, bool is_positiv
   return (passed % 2 == 0) == is_positive ? -sign : sign;
 }
 
-/// The alternating sums over the sectors of two planes, sixty-four at once: binary digits of what
-/// they are above the least that they can be. Where one of the two has its bit set, they are
-/// nonsense.
-CellCorners::PairSums CellCorners::sums_of_pair(unsigned k, unsigned l) const {
-  PairSums sums{};
-  if (!is_one_word()) return sums;
-  // Sectors that count -1 add one where they are not material.
-  std::uint64_t terms[4] = {material_[0]};
-  unsigned count = 1;
-  for (const unsigned plane : {k, l}) {
-    if (!is_own(plane)) continue;  // no material outside of a bound
-    for (unsigned i = 0; i < count; ++i) terms[count + i] = ~(terms[i] >> bit(plane));
-    count *= 2;
-  }
-  for (unsigned i = 0; i < count; ++i) {
-    std::uint64_t carry = terms[i];
-    for (std::uint64_t& digit : sums.digits) {
-      const std::uint64_t both = digit & carry;
-      digit ^= carry;
-      carry = both;
-    }
-  }
-  return sums;
-}
-
-/// Where the sums are not zero: see sums_of_pair for what they are then.
-std::uint64_t CellCorners::not_zero(const PairSums& sums, unsigned k, unsigned l) const {
-  if (!is_one_word()) return ~std::uint64_t{0};
-  const unsigned own = (is_own(k) ? 1u : 0u) + (is_own(l) ? 1u : 0u);
-  const std::uint64_t first = own == 1 ? ~sums.digits[0] : sums.digits[0];
-  const std::uint64_t second = own == 2 ? ~sums.digits[1] : sums.digits[1];
-  return first | second | sums.digits[2];
-}
-
-/// Where they change from one side of another plane to the other.
-std::uint64_t CellCorners::changes(const PairSums& sums, unsigned k, unsigned l, unsigned m) const {
-  if (!is_one_word() || !is_own(m)) return not_zero(sums, k, l);
-  std::uint64_t result = 0;
-  for (const std::uint64_t digit : sums.digits) result |= digit ^ (digit >> bit(m));
-  return result;
-}
-
-/// Sides of the own planes that are possible with these sides, but for the planes in doubt: none if
-/// all that is outside of a bound.
-std::uint64_t CellCorners::reach(Sides sides, Sides in_doubt) const {
-  if ((sides & ~own_mask_) != 0) return 0;
-  std::uint64_t result = ~std::uint64_t{0};
-  if (!is_one_word()) return result;
-  for_each_bit(own_mask_ & ~in_doubt, [&](unsigned k) {
-    result &= (sides & bit(k)) != 0 ? kOutside[k] : ~kOutside[k];
-    return true;
-  });
-  return result;
-}
-
 void CellCorners::put_end(Ends& ends, bool is_exit, std::uint32_t point) const {
   (is_exit ? ends.exit : ends.entry) = point;
 }
@@ -330,7 +231,7 @@ bool CellCorners::find_on_edges() {
         if (!cross(from, to, k, walls_[f], walls_[g], point)) return false;
         // The sign of the determinant of the outward normals of f, g and k.
         const bool is_positive = (u_upper == v_upper) == ((to.sides & bit(k)) != 0);
-        const int sum = alternating_sum(point.sides, bit(k));
+        const int sum = material_.sum(point.sides, bit(k));
         add(wall_numbers_[f], wall_numbers_[g], numbers_[k], is_positive ? sum : -sum);
         // On a face, the line of plane k runs along the cross product of their normals.
         put_end(on_face_[f][k], !is_positive, number);
@@ -363,7 +264,7 @@ bool CellCorners::find_on_faces() {
         Point& point = points_[number];
         if (!cross(from, to, l, walls_[f], refs_[k], point)) return false;
         const bool is_positive = (to.sides & bit(l)) != 0;
-        const int sum = alternating_sum(point.sides, bit(k), bit(l));
+        const int sum = material_.sum(point.sides, bit(k), bit(l));
         add(wall_numbers_[f], numbers_[k], numbers_[l], is_positive ? sum : -sum);
         put_end(inside_[k][l], is_positive, number);
         return true;
@@ -388,14 +289,13 @@ bool CellCorners::find_inside() {
       const Sides separating = from.sides ^ to.sides;
       const Sides later = separating & ~(bit(l + 1) - 1);
       if (later == 0) continue;
-      const std::uint64_t possible = reach(from.sides & ~separating, separating);
+      const auto possible = material_.possible(from.sides & ~separating, separating);
       if (possible == 0) continue;
-      const PairSums sums = sums_of_pair(k, l);
-      if ((possible & not_zero(sums, k, l)) == 0) continue;
+      const auto sums = material_.sums_of_pair(k, l);
+      if ((possible & material_.not_zero(sums)) == 0) continue;
       const bool is_fine = for_each_bit(later, [&](unsigned m) {
-        const std::uint64_t counts = changes(sums, k, l, m);
-        const std::uint64_t inside = is_own(m) && m < 6 ? ~kOutside[m] : ~std::uint64_t{0};
-        if ((counts & possible & inside) == 0) return true;
+        const auto counts = material_.not_zero_with(sums, m);
+        if ((counts & possible) == 0) return true;
         const std::optional<int> sum = sum_inside(from, to, k, l, m, counts);
         if (!sum) return false;
         const bool is_positive = (to.sides & bit(m)) != 0;

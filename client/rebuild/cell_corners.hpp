@@ -17,6 +17,7 @@
 
 #include "client/rebuild/carriers.hpp"
 #include "client/rebuild/corner_sum.hpp"
+#include "client/rebuild/material_table.hpp"
 #include "common/base/plain_vector.hpp"
 #include "common/tree/node_address.hpp"
 
@@ -50,15 +51,12 @@ class CellCorners {
             std::size_t near_bounds, CubeCorners& cube, CornerSum& sum);
 
  private:
-  /// More are left to others: own planes of VERTEX and CONCAVE nodes, and planes altogether.
-  static constexpr unsigned kMaxOwnPlanes = 10;
+  /// Cells with more planes are left to others.
   static constexpr unsigned kMaxPlanes = 14;
   static_assert(kMaxPlanes % 2 == 0);
   /// On the edges and on the faces of the cube, and inside.
   static constexpr unsigned kMostPoints = 12 * kMaxPlanes + 6 * (kMaxPlanes * (kMaxPlanes - 1) / 2);
   static constexpr unsigned kMostInside = kMaxPlanes * (kMaxPlanes - 1) * (kMaxPlanes - 2) / 6;
-  /// Sides of the planes: bit k is set if outside the k-th.
-  using Sides = std::uint32_t;
 
   struct Point {
     Sides sides;   ///< of the planes that do not meet here; 0 for those that do
@@ -81,7 +79,6 @@ class CellCorners {
   bool take_planes(NodeKind kind, std::span<const std::uint32_t> planes,
                    std::span<const std::uint32_t> expression,
                    std::span<const std::uint32_t> bounds);
-  void tabulate(std::span<const std::uint32_t> expression);
   void take_walls(const NodeAddress& cell);
   bool find_sides_of_cube();
   void drop_far_bounds(unsigned near, std::size_t own);
@@ -92,35 +89,10 @@ class CellCorners {
   bool cross(const Point& from, const Point& to, unsigned k, PlaneRef on, PlaneRef also_on,
              Point& point) const;
   std::optional<int> sum_inside(const Point& from, const Point& to, unsigned k, unsigned l,
-                                unsigned m, std::uint64_t counts);
+                                unsigned m, MaterialTable::SidesSet counts);
   int side_inside(unsigned k, unsigned l, unsigned m, bool is_positive, unsigned j);
-  /// Words of sums have one bit for all sides of the own planes, if these are few.
-  struct PairSums {
-    std::uint64_t digits[3];
-  };
-  bool is_one_word() const { return own_mask_ < 64; }
-  bool is_own(unsigned k) const { return ((own_mask_ >> k) & 1) != 0; }
-  PairSums sums_of_pair(unsigned k, unsigned l) const;
-  std::uint64_t not_zero(const PairSums& sums, unsigned k, unsigned l) const;
-  std::uint64_t changes(const PairSums& sums, unsigned k, unsigned l, unsigned m) const;
-  std::uint64_t reach(Sides sides, Sides in_doubt) const;
   void put_end(Ends& ends, bool is_exit, std::uint32_t point) const;
 
-  bool is_material(Sides sides) const {
-    const Sides own = sides & own_mask_;
-    return static_cast<bool>(((sides & ~own_mask_) == 0) &
-                             ((material_[own >> 6] >> (own & 63)) & 1));
-  }
-  /// The alternating sum over the sectors of planes that meet in a point.
-  int alternating_sum(Sides sides, Sides k) const {
-    return int{is_material(sides)} - int{is_material(sides | k)};
-  }
-  int alternating_sum(Sides sides, Sides k, Sides l) const {
-    return alternating_sum(sides, k) - alternating_sum(sides | l, k);
-  }
-  int alternating_sum(Sides sides, Sides k, Sides l, Sides m) const {
-    return alternating_sum(sides, k, l) - alternating_sum(sides | m, k, l);
-  }
   void add(std::uint32_t a, std::uint32_t b, std::uint32_t c, int count) {
     found_[found_count_] = {{a, b, c}, count};
     found_count_ += count != 0 ? 1 : 0;
@@ -133,11 +105,8 @@ class CellCorners {
   PlaneRef refs_[kMaxPlanes];
   Plane coefficients_[kMaxPlanes];
   std::uint32_t numbers_[kMaxPlanes];
-  Sides own_mask_ = 0;
-  /// Bit s: what is on sides s of the own planes is material. A word at least.
-  std::uint64_t material_[(std::size_t{1} << kMaxOwnPlanes) / 64];
-  PlainVector<std::uint64_t> tables_;  // of the parts of an expression
-  PlaneRef walls_[6];                  // lower and upper by axis, outwards
+  MaterialTable material_;
+  PlaneRef walls_[6];  // lower and upper by axis, outwards
   std::uint32_t wall_numbers_[6];
   double at_[6];
   double longest_ = 0;  ///< no two points of the cell have values that differ by more
