@@ -127,7 +127,8 @@ BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
   Branch root;
   {
     const Incidence incidence(solid);
-    const BuildContext context{solid, queries, incidence, options.rules};
+    NodeBudget budget(kMostNodes + kMostNodesPerTriangle * solid.triangles.size());
+    const BuildContext context{solid, queries, incidence, options.rules, budget};
     ParallelBuilder(context, options).build(root_cell(solid, queries), root);
   }
   BuiltOctree built = join_parts(root);

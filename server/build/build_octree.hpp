@@ -12,6 +12,12 @@
 
 namespace spoctree {
 
+/// A tree may have so many nodes, and so many more for each triangle of the solid. Parts and scans
+/// have 5 to 30 a triangle; what comes close to itself without touching has as many as the cells it
+/// takes to tell its sides apart.
+inline constexpr std::uint64_t kMostNodes = 5'000'000;
+inline constexpr std::uint64_t kMostNodesPerTriangle = 100;
+
 struct BuildOptions {
   SpRules rules;
   /// Told how much of the work is done, now and then, by any thread (see ProgressMeter).
@@ -37,7 +43,7 @@ struct BuiltOctree {
 /// Builds the SP-Octree of a solid, in parallel: exact, the same tree on every run and any number
 /// of threads. The tree's planes are the solid's that occur in it, renumbered in order of first
 /// appearance. The levels' statements are not filled: see certify.hpp. Time about linear in the
-/// nodes made.
+/// nodes made. Throws BadInput (without a file's name) for a tree beyond the limits above.
 BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
                          const BuildOptions& options);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <span>
+#include <string>
 
+#include "common/base/errors.hpp"
 #include "server/build/cell_volume.hpp"
 #include "server/build/corner_states.hpp"
 
@@ -17,6 +19,14 @@ constexpr std::size_t kSplitTogether = 512;
 constexpr double kWorkStep = 1e-4;
 
 }  // namespace
+
+void NodeBudget::spend(std::uint64_t nodes) {
+  const auto some = static_cast<std::int64_t>(nodes);
+  if (left_.fetch_sub(some, std::memory_order_relaxed) >= some) return;
+  throw BadInput("the tree would have more than " + std::to_string(nodes_) +
+                 " nodes: parts of the surface that do not meet are too close to each other over a "
+                 "long way (--max-depth ends the subdivision earlier)");
+}
 
 std::size_t count_fragments(const std::array<Cell, 8>& cells) {
   std::size_t count = 0;
@@ -86,6 +96,7 @@ SubtreeBuilder::Workspace& SubtreeBuilder::workspace(std::size_t depth) {
 }
 
 void SubtreeBuilder::split(const Cell& parent, std::array<Cell, 8>& children) {
+  context_.budget.spend(children.size());
   const Solid& solid = context_.solid;
   double middle[3];
   for (int axis = 0; axis < 3; ++axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -24,12 +25,27 @@ struct LevelPart {
   std::size_t depth_limited_nodes = 0;
 };
 
-/// What all builders of one tree share, and none changes.
+/// How many nodes a tree may still get, for all threads. Whether it is exceeded depends on the tree
+/// alone, when and by which thread on chance.
+class NodeBudget {
+ public:
+  explicit NodeBudget(std::uint64_t nodes)
+      : nodes_(nodes), left_(static_cast<std::int64_t>(nodes)) {}
+  /// Throws BadInput when there are not so many left.
+  void spend(std::uint64_t nodes);
+
+ private:
+  const std::uint64_t nodes_;
+  std::atomic<std::int64_t> left_;
+};
+
+/// What all builders of one tree share, and none changes, but for spending nodes.
 struct BuildContext {
   const Solid& solid;
   const SolidQueries& queries;
   const Incidence& incidence;
   const SpRules& rules;
+  NodeBudget& budget;
 };
 
 /// Builds one subtree after the other, depth first. Not thread-safe: one for each thread.
@@ -51,7 +67,7 @@ class SubtreeBuilder {
   void build_below(const Cell& cell, double work, std::vector<LevelPart>& parts);
 
   /// The eight children of a cell, in octant order; nothing is decided about them. Their storage is
-  /// used again. O(fragments).
+  /// used again. O(fragments). Throws BadInput when the tree has no nodes left for them.
   void split(const Cell& parent, std::array<Cell, 8>& children);
 
  private:

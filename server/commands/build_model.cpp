@@ -97,6 +97,15 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   }
 }
 
+BuiltOctree build_tree(const Solid& solid, const SolidQueries& queries, const BuildOptions& options,
+                       const std::filesystem::path& mesh) {
+  try {
+    return build_octree(solid, queries, options);
+  } catch (const BadInput& error) {
+    throw BadInput(mesh.string() + ": " + error.what());
+  }
+}
+
 }  // namespace
 
 Model build_model(const std::filesystem::path& mesh, const ModelOptions& options,
@@ -117,7 +126,7 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
   build_options.progress = report_of(kBuilding, progress);
   build_options.progress(0);
   const SolidQueries queries(solid);
-  BuiltOctree built = build_octree(solid, queries, build_options);
+  BuiltOctree built = build_tree(solid, queries, build_options, mesh);
   model.build_seconds = stopwatch.lap();
 
   certify(built, solid, queries, report_of(kCertifying, progress));

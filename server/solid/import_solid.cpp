@@ -16,17 +16,21 @@ namespace spoctree {
 namespace {
 
 void reject_self_intersections(const GridMesh& mesh, const BoxTree& boxes) {
-  const SelfIntersections found = find_self_intersections(mesh.vertices, mesh.triangles, boxes);
-  if (found.count() == 0) return;
+  const auto [pairs, are_all] = find_self_intersections(mesh.vertices, mesh.triangles, boxes);
+  if (pairs.count() == 0) {
+    if (are_all) return;
+    mesh.fail("too entangled to be judged: the bounding boxes of more than " +
+              std::to_string(kMostComparisons) + " pairs of its " +
+              counted(mesh.triangles.size(), "triangle") + " overlap");
+  }
   // The coordinates of the file may be finer than the grid; then say whose fault it is.
-  const bool is_by_rounding =
-      find_self_intersections(mesh.points, mesh.triangles, box_tree_of(mesh.points, mesh.triangles))
-          .count() == 0;
-  mesh.fail("self-intersecting: " +
-            (found.count() == kMostSelfIntersections ? std::string("at least ") : std::string()) +
-            counted(found.count(), "pair") + " of triangles meet" +
+  const auto as_filed = find_self_intersections(mesh.points, mesh.triangles,
+                                                box_tree_of(mesh.points, mesh.triangles));
+  const bool is_by_rounding = as_filed.pairs.count() == 0 && as_filed.are_all;
+  mesh.fail("self-intersecting: " + std::string(are_all ? "" : "at least ") +
+            counted(pairs.count(), "pair") + " of triangles meet" +
             (is_by_rounding ? " once points are rounded to 2^-52 of the extent" : "") + ", " +
-            found.places([&](const std::array<std::uint32_t, 2>& pair) {
+            pairs.places([&](const std::array<std::uint32_t, 2>& pair) {
               return mesh.place(mesh.triangles[pair[0]]) + " with " +
                      mesh.place(mesh.triangles[pair[1]]);
             }));
@@ -55,8 +59,7 @@ ShellJudgement judge_nesting(GridMesh& mesh, std::vector<Corners>& neighbours, c
     FirstFound<std::uint32_t> wrong;
     for (const std::uint32_t t : shells.wrong) wrong.add(t);
     mesh.fail("not consistently oriented: " + std::to_string(wrong.count()) + " of " +
-              std::to_string(shells.shells) +
-              " shells face the wrong way for how they nest, " +
+              std::to_string(shells.shells) + " shells face the wrong way for how they nest, " +
               wrong.places([&](std::uint32_t t) { return mesh.place(mesh.triangles[t]); }));
   }
   report.turned_shells = shells.wrong.size();

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace spoctree {
@@ -82,21 +84,25 @@ constexpr std::size_t kQueriesPerTask = 1024;
 using TrianglePair = std::array<std::uint32_t, 2>;
 
 // The pairs of overlapping boxes for which is_wrong(i, j), in an order that does not depend on the
-// number of threads. Stops soon after kMostSelfIntersections.
+// number of threads. Stops soon after kMostSelfIntersections, or after that many comparisons, and
+// takes those made off the number.
 template <class IsWrong>
 std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
                                      std::span<const std::uint32_t> node_labels,
-                                     const IsWrong& is_wrong) {
+                                     std::size_t& comparisons, const IsWrong& is_wrong) {
   const std::vector<NodePair> tasks = boxes.split_pairs(kBoxesPerTask);
   std::vector<TrianglePair> all;
   // Few tasks at a time where much is found, so that little is done in vain.
   std::size_t at_a_time = 16;
-  for (std::size_t begin = 0; begin < tasks.size() && all.size() < kMostSelfIntersections;) {
+  for (std::size_t begin = 0;
+       begin < tasks.size() && all.size() < kMostSelfIntersections && comparisons > 0;) {
     const std::size_t count = std::min(at_a_time, tasks.size() - begin);
     std::vector<std::vector<TrianglePair>> found(count);
+    std::vector<std::size_t> compared(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
       boxes.visit_overlapping_pairs(
           tasks[begin + k], node_labels, [&](std::uint32_t i, std::uint32_t j) {
+            ++compared[k];
             if (found[k].size() < kMostSelfIntersections && is_wrong(i, j)) {
               found[k].push_back({std::min(i, j), std::max(i, j)});
             }
@@ -104,7 +110,9 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
     });
     for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
     begin += count;
-    if (all.size() < 1000) at_a_time *= 2;
+    const std::size_t sum = std::accumulate(compared.begin(), compared.end(), std::size_t{0});
+    comparisons -= std::min(comparisons, sum);
+    if (all.size() < 1000 && sum < kMostComparisons / 8) at_a_time *= 2;
   }
   return all;
 }
@@ -134,7 +142,7 @@ class Hubs {
 
   // Pairs of triangles of the same hub. What two triangles share with their hub's corner, they
   // share along a ray from there: what is to be compared is where they are seen from the hub.
-  std::vector<TrianglePair> find_wrong_pairs() const {
+  std::vector<TrianglePair> find_wrong_pairs(std::size_t& comparisons) const {
     std::map<std::uint32_t, std::vector<std::uint32_t>> fans;
     for (std::uint32_t i = 0; i < hub_of_.size(); ++i) {
       if (hub_of_[i] != BoxTree::kMixed) fans[hub_of_[i]].push_back(i);
@@ -143,8 +151,8 @@ class Hubs {
     for (const auto& [hub, fan] : fans) {
       std::vector<Box> boxes;
       for (const std::uint32_t i : fan) boxes.push_back(seen_from(hub, triangles_[i]));
-      const auto found =
-          find_pairs(BoxTree(boxes), {}, [&, &of = fan](std::uint32_t i, std::uint32_t j) {
+      const auto found = find_pairs(
+          BoxTree(boxes), {}, comparisons, [&, &of = fan](std::uint32_t i, std::uint32_t j) {
             return meet_wrongly(points_, triangles_[of[i]], triangles_[of[j]]);
           });
       for (const auto& [i, j] : found) all.push_back({fan[i], fan[j]});
@@ -173,23 +181,23 @@ class Hubs {
   std::vector<std::uint32_t> hub_of_;
 };
 
-// All pairs of triangles that meet wrongly. Stops soon after kMostSelfIntersections.
+// All pairs of triangles that meet wrongly. Stops as find_pairs does.
 std::vector<TrianglePair> find_wrong_pairs(std::span<const Vec3> points,
-                                           std::span<const Corners> triangles,
-                                           const BoxTree& boxes) {
+                                           std::span<const Corners> triangles, const BoxTree& boxes,
+                                           std::size_t& comparisons) {
   const Hubs hubs(points, triangles);
   const std::vector<std::uint32_t>& hub_of = hubs.hub_of();
   if (hub_of.empty()) {
-    return find_pairs(boxes, {}, [&](std::uint32_t i, std::uint32_t j) {
+    return find_pairs(boxes, {}, comparisons, [&](std::uint32_t i, std::uint32_t j) {
       return meet_wrongly(points, triangles[i], triangles[j]);
     });
   }
-  std::vector<TrianglePair> found =
-      find_pairs(boxes, boxes.common_labels(hub_of), [&](std::uint32_t i, std::uint32_t j) {
+  std::vector<TrianglePair> found = find_pairs(
+      boxes, boxes.common_labels(hub_of), comparisons, [&](std::uint32_t i, std::uint32_t j) {
         return (hub_of[i] != hub_of[j] || hub_of[i] == BoxTree::kMixed) &&
                meet_wrongly(points, triangles[i], triangles[j]);
       });
-  const std::vector<TrianglePair> of_hubs = hubs.find_wrong_pairs();
+  const std::vector<TrianglePair> of_hubs = hubs.find_wrong_pairs(comparisons);
   found.insert(found.end(), of_hubs.begin(), of_hubs.end());
   return found;
 }
@@ -200,10 +208,12 @@ SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles,
                                           const BoxTree& boxes) {
   SelfIntersections found;
-  for (const TrianglePair& pair : find_wrong_pairs(points, triangles, boxes)) {
-    if (found.count() == kMostSelfIntersections) break;
-    found.add(pair);
+  std::size_t comparisons = kMostComparisons + kMostComparisonsPerTriangle * triangles.size();
+  for (const TrianglePair& pair : find_wrong_pairs(points, triangles, boxes, comparisons)) {
+    if (found.pairs.count() == kMostSelfIntersections) break;
+    found.pairs.add(pair);
   }
+  found.are_all = comparisons > 0 && found.pairs.count() < kMostSelfIntersections;
   return found;
 }
 
@@ -211,9 +221,10 @@ std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> poin
                                                       std::span<const Corners> triangles,
                                                       std::span<const std::uint32_t> changed,
                                                       const BoxTree& boxes_before) {
+  std::size_t unlimited = std::numeric_limits<std::size_t>::max();
   if (!Hubs(points, triangles).hub_of().empty()) {
     // Boxes around a hub all overlap; the search among all triangles knows a way around that.
-    return find_wrong_pairs(points, triangles, box_tree_of(points, triangles));
+    return find_wrong_pairs(points, triangles, box_tree_of(points, triangles), unlimited);
   }
   std::vector<Corners> changed_triangles;
   std::vector<std::uint8_t> is_changed(triangles.size(), 0);
@@ -221,8 +232,8 @@ std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> poin
     changed_triangles.push_back(triangles[t]);
     is_changed[t] = 1;
   }
-  std::vector<TrianglePair> found =
-      find_wrong_pairs(points, changed_triangles, box_tree_of(points, changed_triangles));
+  std::vector<TrianglePair> found = find_wrong_pairs(
+      points, changed_triangles, box_tree_of(points, changed_triangles), unlimited);
   for (auto& [i, j] : found) {
     i = changed[i];
     j = changed[j];

@@ -16,8 +16,15 @@ namespace spoctree {
 /// Pairs are no longer looked for once there are so many.
 inline constexpr std::size_t kMostSelfIntersections = 1'000'000;
 
-/// Pairs of triangles, the one with the smaller number first; at most kMostSelfIntersections.
-using SelfIntersections = FirstFound<std::array<std::uint32_t, 2>>;
+/// Nor once so many pairs of triangles whose boxes overlap have been compared, and so many more for
+/// each triangle: that takes seconds. Meshes of parts and scans have some 20 a triangle.
+inline constexpr std::size_t kMostComparisons = 60'000'000;
+inline constexpr std::size_t kMostComparisonsPerTriangle = 100;
+
+struct SelfIntersections {
+  FirstFound<std::array<std::uint32_t, 2>> pairs;  ///< the triangle with the smaller number first
+  bool are_all = true;                             ///< false: a limit above ended the search
+};
 
 /// Exact for the given points. Near-linear for meshes whose triangles' boxes overlap few others;
 /// the triangles around one vertex may be many.

@@ -21,6 +21,7 @@
 #include "common/tree/validate.hpp"
 #include "common/wire/spo_writer.hpp"
 #include "server/build/build_octree.hpp"
+#include "server/build/certify.hpp"
 #include "server/solid/import_solid.hpp"
 #include "server/solid/repair.hpp"
 
@@ -80,8 +81,14 @@ bool run_case(const std::string& name, MeshFormat format, const std::string& byt
   if (progress.solids++ % options.build_every != 0) return true;
   ++progress.built;
   const SolidQueries queries(solid);
-  const Octree tree = build_octree(solid, queries, {}).tree;
-  if (!validate(tree).empty()) throw std::logic_error("built an invalid tree");
+  BuiltOctree built;
+  try {
+    built = build_octree(solid, queries, {});
+  } catch (const BadInput& error) {
+    throw BadInput(name + ": " + error.what());
+  }
+  certify(built, solid, queries);
+  if (!validate(built.tree).empty()) throw std::logic_error("built an invalid tree");
   return true;
 }
 

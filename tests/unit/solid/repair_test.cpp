@@ -271,6 +271,23 @@ TEST(Repair, EndsInTimeWithoutAnEndToTheNeedles) {
   EXPECT_NE(import_error(repair(soup).soup).find("degenerate: 1968 faces"), std::string::npos);
 }
 
+// Each triangle above touches the box of every triangle below, or nearly.
+TEST(JudgeSolid, RefusesMoreTrianglesThanCanBeCompared) {
+  const double pi = std::numbers::pi;
+  std::vector<glm::dvec3> points{{0, 0, 1}, {0, 0, -1}};
+  std::vector<Face> faces;
+  constexpr std::uint32_t kSides = 15'000;
+  for (std::uint32_t i = 0; i < kSides; ++i) {
+    points.emplace_back(std::cos(2 * pi * i / kSides), std::sin(2 * pi * i / kSides), 0);
+    const std::uint32_t next = 2 + (i + 1) % kSides;
+    faces.push_back({2 + i, next, 0});
+    faces.push_back({next, 2 + i, 1});
+  }
+  EXPECT_NE(
+      import_error(make_soup(points, faces)).find("too entangled to be judged: the bounding "),
+      std::string::npos);
+}
+
 TEST(TurnShells, TurnsWhatNestsWrongly) {
   const PolygonSoup soup =
       together(together(kBox, box({1, 1, 1}, {3, 3, 3})), reversed(box({5, 0, 0}, {6, 1, 1})));
