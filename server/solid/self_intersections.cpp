@@ -79,6 +79,7 @@ bool meet_wrongly(std::span<const Vec3> points, Corners a, Corners b) {
 
 // A task of this many boxes is large enough for one thread.
 constexpr std::uint32_t kBoxesPerTask = 2048;
+constexpr std::size_t kTasksAtATime = 16;  // at first
 constexpr std::size_t kQueriesPerTask = 1024;
 
 using TrianglePair = std::array<std::uint32_t, 2>;
@@ -93,10 +94,12 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
   const std::vector<NodePair> tasks = boxes.split_pairs(kBoxesPerTask);
   std::vector<TrianglePair> all;
   // Few tasks at a time where much is found, so that little is done in vain.
-  std::size_t at_a_time = 16;
+  std::size_t at_a_time = kTasksAtATime;
   for (std::size_t begin = 0;
        begin < tasks.size() && all.size() < kMostSelfIntersections && comparisons > 0;) {
-    const std::size_t count = std::min(at_a_time, tasks.size() - begin);
+    const std::size_t affordable =
+        std::max(kTasksAtATime, comparisons / (std::size_t{kBoxesPerTask} * kBoxesPerTask));
+    const std::size_t count = std::min({at_a_time, affordable, tasks.size() - begin});
     std::vector<std::vector<TrianglePair>> found(count);
     std::vector<std::size_t> compared(count, 0);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
@@ -112,7 +115,7 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
     begin += count;
     const std::size_t sum = std::accumulate(compared.begin(), compared.end(), std::size_t{0});
     comparisons -= std::min(comparisons, sum);
-    if (all.size() < 1000 && sum < kMostComparisons / 8) at_a_time *= 2;
+    if (all.size() < 1000) at_a_time *= 2;
   }
   return all;
 }
