@@ -1,13 +1,12 @@
 #include "client/rebuild/corners.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "client/rebuild/cell_corners.hpp"
 #include "client/rebuild/polyhedron_corners.hpp"
+#include "common/base/parallel.hpp"
 #include "common/tree/cell_regions.hpp"
 #include "common/tree/expression.hpp"
 #include "common/tree/pieces.hpp"
@@ -200,7 +199,7 @@ class CornerFinder {
       }
     }
     std::vector<Part> parts(children.size());
-    tbb::parallel_for(std::size_t{0}, children.size(), [&](std::size_t i) {
+    parallel_for(children.size(), [&](std::size_t i) {
       parts[i] = find(children[i].node, children[i].bounds, &region);
     });
     for (Part& child : parts) {

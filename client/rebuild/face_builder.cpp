@@ -1,12 +1,11 @@
 #include "client/rebuild/face_builder.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <limits>
 
 #include "client/rebuild/loop_tracer.hpp"
 #include "client/rebuild/region_sides.hpp"
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -185,7 +184,7 @@ void build_faces(const Chain& chain, const Carriers& carriers, std::span<const s
   }
   starts.push_back(carriers.count());
   std::vector<Surface> parts(starts.size() - 1);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  parallel_for(parts.size(), [&](std::size_t i) {
     FaceBuilder builder(carriers, positions, parts[i]);
     for (std::uint32_t carrier = starts[i]; carrier < starts[i + 1]; ++carrier) {
       if (begin[carrier] == begin[carrier + 1]) continue;

@@ -1,11 +1,10 @@
 #include "client/rebuild/line_ends.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <numeric>
 #include <tuple>
 
+#include "common/base/parallel.hpp"
 #include "common/geometry/predicates.hpp"
 
 namespace spoctree {
@@ -50,7 +49,7 @@ std::vector<LineEnd> find_line_ends(std::span<const CornerCount> corners, Carrie
     for (int k = 0; k < 3; ++k) planes[i].carriers[k] = carriers.carrier_of(corners[i].planes[k]);
   }
   std::vector<Vec3> points(corners.size());
-  tbb::parallel_for(std::size_t{0}, corners.size(), [&](std::size_t i) {
+  parallel_for(corners.size(), [&](std::size_t i) {
     const auto& p = planes[i].carriers;
     points[i] = intersection_point(carriers.plane(p[0]), carriers.plane(p[1]), carriers.plane(p[2]))
                     .position;
@@ -69,7 +68,7 @@ std::vector<LineEnd> find_line_ends(std::span<const CornerCount> corners, Carrie
   constexpr std::uint32_t kVerticesPerTask = 4096;
   const auto vertex_count = static_cast<std::uint32_t>(welder.vertices().size());
   std::vector<std::vector<LineEnd>> parts((vertex_count + kVerticesPerTask - 1) / kVerticesPerTask);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+  parallel_for(parts.size(), [&](std::size_t part) {
     std::vector<LineEnd> here;
     const auto first = static_cast<std::uint32_t>(part) * kVerticesPerTask;
     const std::uint32_t last = std::min(vertex_count, first + kVerticesPerTask);

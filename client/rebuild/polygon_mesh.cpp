@@ -1,12 +1,11 @@
 #include "client/rebuild/polygon_mesh.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <charconv>
 #include <glm/geometric.hpp>
 
 #include "client/rebuild/bridge_holes.hpp"
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -66,7 +65,7 @@ template <class Append>
 void append_lines(std::size_t count, Append&& append, std::string& text) {
   constexpr std::size_t kLinesPerTask = 4096;
   std::vector<std::string> parts((count + kLinesPerTask - 1) / kLinesPerTask);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+  parallel_for(parts.size(), [&](std::size_t part) {
     const std::size_t end = std::min(count, (part + 1) * kLinesPerTask);
     for (std::size_t line = part * kLinesPerTask; line < end; ++line) append(parts[part], line);
   });

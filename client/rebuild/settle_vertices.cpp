@@ -1,12 +1,11 @@
 #include "client/rebuild/settle_vertices.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <optional>
 
+#include "common/base/parallel.hpp"
 #include "common/geometry/predicates.hpp"
 #include "common/geometry/tolerances.hpp"
 
@@ -196,8 +195,8 @@ bool settle_vertices(Chain& chain, const Carriers& carriers, VertexWelder& welde
   const auto vertex_count = static_cast<std::uint32_t>(welder.vertices().size());
   const CarriersAround around(chain, vertex_count);
   std::vector<std::optional<Vec3>> points(vertex_count);
-  tbb::parallel_for(std::uint32_t{0}, vertex_count, [&](std::uint32_t vertex) {
-    const auto planes = around.of(vertex);
+  parallel_for(vertex_count, [&](std::size_t vertex) {
+    const auto planes = around.of(static_cast<std::uint32_t>(vertex));
     if (!planes.empty()) points[vertex] = meeting_point(planes, carriers);
   });
   for (std::uint32_t vertex = 0; vertex < vertex_count; ++vertex) {

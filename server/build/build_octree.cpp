@@ -1,12 +1,13 @@
 #include "server/build/build_octree.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/task_group.h>
-
 #include <array>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <thread>
 #include <utility>
 
+#include "common/base/parallel.hpp"
 #include "server/build/join_parts.hpp"
 #include "server/build/subtree_builder.hpp"
 
@@ -34,9 +35,7 @@ struct Job {
 class ParallelBuilder {
  public:
   ParallelBuilder(const BuildContext& context, const BuildOptions& options)
-      : options_(options),
-        progress_(options.progress),
-        builders_([this, &context] { return SubtreeBuilder(context, progress_); }) {}
+      : options_(options), context_(context), progress_(options.progress) {}
 
   void build(Cell root, Branch& result) {
     start(Job{std::move(root), 1, nullptr, result});
@@ -45,11 +44,11 @@ class ParallelBuilder {
 
  private:
   void start(Job job) {
-    jobs_.run([this, job = std::make_shared<Job>(std::move(job))] { build(*job); });
+    jobs_.start([this, job = std::make_shared<Job>(std::move(job))] { build(*job); });
   }
 
   void build(Job& job) {
-    SubtreeBuilder& builder = builders_.local();
+    SubtreeBuilder& builder = own_builder();
     const auto resolved = job.resolved;
     for (auto* node = resolved.get(); node != nullptr; node = node->above.get()) {
       builder.enter(node->planes);
@@ -87,10 +86,20 @@ class ParallelBuilder {
     }
   }
 
+  /// That of the thread which asks.
+  SubtreeBuilder& own_builder() {
+    const std::lock_guard lock(builders_mutex_);
+    auto& builder = builders_[std::this_thread::get_id()];
+    if (!builder) builder = std::make_unique<SubtreeBuilder>(context_, progress_);
+    return *builder;
+  }
+
   const BuildOptions& options_;
+  const BuildContext& context_;
   ProgressMeter progress_;
-  oneapi::tbb::enumerable_thread_specific<SubtreeBuilder> builders_;
-  oneapi::tbb::task_group jobs_;
+  std::mutex builders_mutex_;
+  std::map<std::thread::id, std::unique_ptr<SubtreeBuilder>> builders_;
+  JobGroup jobs_;
 };
 
 Cell root_cell(const Solid& solid, const SolidQueries& queries) {

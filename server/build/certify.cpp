@@ -1,7 +1,5 @@
 #include "server/build/certify.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <iterator>
 #include <limits>
@@ -10,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/base/parallel.hpp"
 #include "common/tree/pieces.hpp"
 #include "server/build/error_bound.hpp"
 #include "server/build/level_survey.hpp"
@@ -57,7 +56,7 @@ std::vector<Subtree> parts_at(const Octree& tree, std::uint32_t level) {
 void survey_parts(const BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
                   std::span<const Subtree> parts, std::vector<GreyRegions>& levels) {
   std::vector<std::vector<GreyRegions>> surveyed(parts.size());
-  oneapi::tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t i) {
+  parallel_for(parts.size(), [&](std::size_t i) {
     LevelSurvey part(built, solid, queries, LevelSurvey::kAllLevels);
     part.set_attained(levels);
     walk_pieces(built.tree, grey_nodes(), parts[i], part);
@@ -95,7 +94,7 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
   progress.add(0);
   const std::vector<GreyRegions> regions = survey(built, solid, queries, progress);
   std::vector<double> bounds(regions.size(), 0.0);
-  oneapi::tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
+  parallel_for(regions.size(), [&](std::size_t k) {
     if (built.tree.levels[k].grey_count > 0)
       bounds[k] = error_bound(regions[k], built, solid, queries);
     progress.add((1 - kSurveyShare) / static_cast<double>(regions.size()));

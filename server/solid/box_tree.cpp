@@ -1,9 +1,8 @@
 #include "server/solid/box_tree.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
-
 #include <glm/common.hpp>
+
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -57,8 +56,7 @@ void BoxTree::build(std::uint32_t self, std::uint32_t begin, std::uint32_t end) 
     build(self + 1, begin, middle);
     build(second, middle, end);
   } else {
-    tbb::parallel_invoke([&] { build(self + 1, begin, middle); },
-                         [&] { build(second, middle, end); });
+    parallel_invoke([&] { build(self + 1, begin, middle); }, [&] { build(second, middle, end); });
   }
 }
 

@@ -1,13 +1,13 @@
 #include "server/solid/fit_jointly.hpp"
 
-#include <tbb/parallel_for.h>
-
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -482,7 +482,7 @@ JointFit Rounds::run() {
   for (int round = 1; !changed_.empty(); ++round) {
     const auto components = components_with_changes();
     std::vector<std::vector<CornerConflict>> conflicts(components.size());
-    tbb::parallel_for(std::size_t{0}, components.size(), [&](std::size_t i) {
+    parallel_for(components.size(), [&](std::size_t i) {
       JointFitter fitter(surface_, groups_, components[i], number_of_vertex_);
       conflicts[i] = fitter.solve(most_move_);
       if (conflicts[i].empty() || round == kMostRounds) fitter.apply(groups_, fit_);

@@ -1,7 +1,6 @@
 #include "server/solid/flat_surface.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -40,15 +39,15 @@ GridPlane plane_of(const Corners& t, std::span<const GridPoint> points) {
 std::vector<GridPlane> planes_of(std::span<const Corners> triangles,
                                  std::span<const GridPoint> points) {
   std::vector<GridPlane> planes(triangles.size());
-  tbb::parallel_for(std::size_t{0}, triangles.size(),
-                    [&](std::size_t i) { planes[i] = plane_of(triangles[i], points); });
+  parallel_for(triangles.size(),
+               [&](std::size_t i) { planes[i] = plane_of(triangles[i], points); });
   return planes;
 }
 
 NumberedPlanes number_planes(std::span<const GridPlane> planes) {
   std::vector<HashedPlane> hashed(planes.size());
   for (std::uint32_t i = 0; i < planes.size(); ++i) hashed[i] = {hash_of(planes[i]), i};
-  tbb::parallel_sort(hashed, [&](const HashedPlane& p, const HashedPlane& q) {
+  parallel_sort(hashed, [&](const HashedPlane& p, const HashedPlane& q) {
     if (p.hash != q.hash) return p.hash < q.hash;
     const auto order = planes[p.index] <=> planes[q.index];
     return order != 0 ? order < 0 : p.index < q.index;

@@ -1,9 +1,8 @@
 #include "server/solid/grow_patches.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <numeric>
 
+#include "common/base/parallel.hpp"
 #include "server/solid/fit_plane.hpp"
 
 namespace spoctree {
@@ -145,7 +144,7 @@ void Grower::fit(PlanarPatch& patch) const {
 std::vector<PlanarPatch> Grower::grow_all() {
   std::vector<std::uint32_t> seeds(surface_.triangles.size());
   std::iota(seeds.begin(), seeds.end(), 0);
-  tbb::parallel_sort(seeds, [&](std::uint32_t i, std::uint32_t j) {
+  parallel_sort(seeds, [&](std::uint32_t i, std::uint32_t j) {
     return surface_.areas[i] != surface_.areas[j] ? surface_.areas[i] > surface_.areas[j] : i < j;
   });
   std::vector<PlanarPatch> grown;

@@ -3,8 +3,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -12,6 +10,8 @@
 #include <map>
 #include <numeric>
 #include <utility>
+
+#include "common/base/parallel.hpp"
 
 namespace spoctree {
 
@@ -102,7 +102,7 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
     const std::size_t count = std::min({at_a_time, affordable, tasks.size() - begin});
     std::vector<std::vector<TrianglePair>> found(count);
     std::vector<std::size_t> compared(count, 0);
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t k) {
+    parallel_for(count, [&](std::size_t k) {
       boxes.visit_overlapping_pairs(
           tasks[begin + k], node_labels, [&](std::uint32_t i, std::uint32_t j) {
             ++compared[k];
@@ -243,7 +243,7 @@ std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> poin
   }
   std::vector<std::vector<TrianglePair>> parts((changed.size() + kQueriesPerTask - 1) /
                                                kQueriesPerTask);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t part) {
+  parallel_for(parts.size(), [&](std::size_t part) {
     const std::size_t end = std::min(changed.size(), (part + 1) * kQueriesPerTask);
     for (std::size_t k = part * kQueriesPerTask; k < end; ++k) {
       const std::uint32_t t = changed[k];
@@ -263,7 +263,7 @@ std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> poin
 
 BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles) {
   std::vector<Box> boxes(triangles.size());
-  tbb::parallel_for(std::size_t{0}, triangles.size(), [&](std::size_t i) {
+  parallel_for(triangles.size(), [&](std::size_t i) {
     const Corners& t = triangles[i];
     boxes[i] = box_around(points[t[0]], points[t[1]], points[t[2]]);
   });
