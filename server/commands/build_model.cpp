@@ -91,7 +91,13 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   std::string name = mesh.string();
   if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
   try {
-    return import_solid(soup, name, import_options);
+    Solid solid = import_solid(soup, name, import_options);
+    if (const std::size_t turned = solid.report.turned_shells; turned > 0) {
+      changes.push_back("turned: " + std::to_string(turned) +
+                        (turned == 1 ? " shell that faced" : " shells that faced") +
+                        " the wrong way for how the shells nest");
+    }
+    return solid;
   } catch (const BadInput& error) {
     throw BadInput(error.what() + refusals);
   }

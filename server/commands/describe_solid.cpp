@@ -10,11 +10,6 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
                      std::to_string(plane_count) + " planes, volume " + to_short_text(volume) +
                      "\n";
   if (report.was_turned) text += "turned: all faces pointed inwards\n";
-  if (report.turned_shells > 0) {
-    text += "turned: " + std::to_string(report.turned_shells) +
-            (report.turned_shells == 1 ? " shell that faced" : " shells that faced") +
-            " the wrong way for how the shells nest\n";
-  }
   if (report.triangulated_faces > 0) {
     text += "triangulated: " + std::to_string(report.triangulated_faces) +
             " faces with more than three corners, " + std::to_string(report.uneven_faces) +

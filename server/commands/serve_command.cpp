@@ -30,6 +30,7 @@ void add_model(ModelStore& store, const fs::path& path, const ModelOptions& opti
   store.check_name(name, path.string());
   ProgressLine line;
   Model model = build_model(path, options, show_progress(line, path));
+  for (const std::string& change : model.changes) log_info(path.string() + ": " + change);
   store.add_bytes(name, path.string(), std::move(model.spo));
 }
 

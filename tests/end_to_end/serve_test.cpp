@@ -51,6 +51,23 @@ TEST_F(Serve, BuildsMeshesFirstAndNamesModelsAfterTheirFiles) {
   EXPECT_EQ(read_file(folder_.file("got.spo")), spo_of("saddle"));
 }
 
+TEST_F(Serve, RepairsMeshesIfToldToAndSaysSo) {
+  std::string open = off_of("cube");  // "OFF", the counts, eight points, six faces
+  open.erase(open.rfind("4 "));
+  open.replace(open.find("8 6"), 3, "8 5");
+  const std::string mesh = put("box.off", open);
+  EXPECT_EQ(run_server({"build", mesh, "-o", folder_.file("no.spo")}).code, 3);
+  const Outcome built = run_server({"build", "--repair", mesh, "-o", folder_.file("built.spo")});
+  EXPECT_EQ(built.code, 0) << built.err;
+  EXPECT_NE(built.out.find("\nfilled: 1 hole with 2 faces, at ("), std::string::npos) << built.out;
+  ServerProcess server({mesh, "--repair"});
+  EXPECT_EQ(run_client({"fetch", server.url("box"), "-o", folder_.file("got.spo")}).code, 0);
+  EXPECT_EQ(read_file(folder_.file("got.spo")), read_file(folder_.file("built.spo")));
+  server.program().send(SIGTERM);
+  const Outcome served = server.program().wait();
+  EXPECT_NE(served.err.find("filled: 1 hole with 2 faces, at ("), std::string::npos) << served.err;
+}
+
 TEST_F(Serve, ServesWhatIsInAFolderAndLeavesOutWhatIsNoModel) {
   piece();
   put("open.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
