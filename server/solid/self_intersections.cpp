@@ -115,7 +115,7 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
     begin += count;
     const std::size_t sum = std::accumulate(compared.begin(), compared.end(), std::size_t{0});
     comparisons -= std::min(comparisons, sum);
-    if (all.size() < 1000) at_a_time *= 2;
+    if (all.size() < 1000) at_a_time = std::min(2 * at_a_time, tasks.size());
   }
   return all;
 }
