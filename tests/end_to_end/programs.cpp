@@ -74,7 +74,9 @@ Program::~Program() {
   ::waitpid(pid_, nullptr, 0);
 }
 
-void Program::send(int signal) const { ::kill(pid_, signal); }
+void Program::send(int signal) const {
+  if (pid_ > 0) ::kill(pid_, signal);  // -1 would be every process there is
+}
 
 std::string Program::first_line() const {
   std::string text;

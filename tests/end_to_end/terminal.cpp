@@ -65,7 +65,9 @@ void TerminalProgram::press_ctrl_c() {
   if (::write(terminal_, "\x03", 1) != 1) throw std::runtime_error("the terminal is gone");
 }
 
-void TerminalProgram::send(int signal) const { ::kill(pid_, signal); }
+void TerminalProgram::send(int signal) const {
+  if (pid_ > 0) ::kill(pid_, signal);  // -1 would be every process there is
+}
 
 int TerminalProgram::wait() {
   while (read_some()) {
