@@ -15,7 +15,7 @@ namespace spoctree {
 /// A tree may have so many nodes, and so many more for each triangle of the solid. Parts and scans
 /// have 5 to 30 a triangle; what comes close to itself without touching has as many as the cells it
 /// takes to tell its sides apart.
-inline constexpr std::uint64_t kMostNodes = 5'000'000;
+inline constexpr std::uint64_t kMostNodes = 2'000'000;
 inline constexpr std::uint64_t kMostNodesPerTriangle = 100;
 
 struct BuildOptions {
