@@ -23,6 +23,31 @@ constexpr int kFirstSpreadingRound = 6;
 // Corners stay this much below twice the tolerance.
 constexpr double kMostMoves = 2 - 0x1p-20;
 
+// What becomes smaller than this (universe units) by moving, and was not nearly so before, is as
+// good as collapsed: rebuilding could hardly tell it from nothing.
+constexpr double kFinest = 0x1p-33;
+
+double distance(const GridPoint& p, const GridPoint& q) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double d = static_cast<double>(q[i] - p[i]) * 0x1p-52;
+    sum += d * d;
+  }
+  return std::sqrt(sum);
+}
+
+// The shortest edge, and the smallest height.
+std::array<double, 2> finest_of(const Corners& t, std::span<const GridPoint> points) {
+  const double edges[] = {distance(points[t[0]], points[t[1]]),
+                          distance(points[t[1]], points[t[2]]),
+                          distance(points[t[2]], points[t[0]])};
+  const AreaVector area = area_vector(points[t[0]], points[t[1]], points[t[2]]);
+  double squared = 0;
+  for (const Int128 x : area) squared += static_cast<double>(x) * static_cast<double>(x);
+  const auto [shortest, longest] = std::minmax({edges[0], edges[1], edges[2]});
+  return {shortest, std::sqrt(squared) * 0x1p-104 / longest};
+}
+
 class Merger {
  public:
   Merger(const GridMesh& mesh, const FlatSurface& surface, const BoxTree& boxes,
@@ -49,6 +74,7 @@ class Merger {
   static CornerSettler make_settler(const FlatSurface& surface, double most_move, double tolerance);
   Attempt attempt();
   void find_wrong(Attempt& attempt) const;
+  bool has_collapsed(const Attempt& attempt, std::uint32_t triangle) const;
   void regroup_folds(Attempt& attempt);
   bool lies_near(std::uint32_t triangle, std::uint32_t group) const;
   void pin_corners(const Attempt& attempt, bool spread);
@@ -111,9 +137,7 @@ void Merger::find_wrong(Attempt& attempt) const {
   };
   for (const std::uint32_t t : attempt.changed) {
     const Corners& c = attempt.surface.triangles[t];
-    const auto& points = attempt.surface.points;
-    if (std::any_of(c.begin(), c.end(), is_outside) ||
-        area_vector(points[c[0]], points[c[1]], points[c[2]]) == AreaVector{0, 0, 0}) {
+    if (std::any_of(c.begin(), c.end(), is_outside) || has_collapsed(attempt, t)) {
       attempt.wrong.push_back(t);
     }
   }
@@ -124,6 +148,18 @@ void Merger::find_wrong(Attempt& attempt) const {
                                                       attempt.changed, boxes_)) {
     attempt.wrong.insert(attempt.wrong.end(), pair.begin(), pair.end());
   }
+}
+
+// Needles within a face are no harm, as long as they have an area.
+bool Merger::has_collapsed(const Attempt& attempt, std::uint32_t triangle) const {
+  const Corners& corners = attempt.surface.triangles[triangle];
+  const auto [edge, height] = finest_of(corners, attempt.surface.points);
+  if (height == 0) return true;
+  const bool is_in_face = settler_.groups().of_triangle[triangle] != kNone;
+  if (edge >= kFinest && (is_in_face || height >= kFinest)) return false;
+  const auto [edge_before, height_before] = finest_of(corners, surface_.points);
+  return edge < std::min(kFinest, 0.5 * edge_before) ||
+         (!is_in_face && height < std::min(kFinest, 0.5 * height_before));
 }
 
 // Needles along a rim fit the faces on both sides of it. Those that end up upside down in the one

@@ -21,6 +21,10 @@ bool is_on(const GridPlane& plane, const GridPoint& point) {
   return -kMost <= height && height <= kMost;
 }
 
+// Closer to a plane than this (in units of 2^-104), a triangle beside it counts as in it. It is
+// about what rebuilding can still tell apart.
+constexpr Int128 kNearlyOn = Int128{1} << (2 * kGridBits - 33);
+
 CornerPlane seen_from(const GridPlane& plane, const GridPoint& corner) {
   CornerPlane seen;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -46,7 +50,8 @@ CornerSettler::CornerSettler(const FlatSurface& surface, FlatGroups groups, Join
       most_move_(most_move),
       points_(surface.points),
       is_pinned_(surface.points.size(), 0),
-      is_touched_(surface.points.size(), 0) {
+      is_touched_(surface.points.size(), 0),
+      is_adopted_(surface.triangles.size(), 0) {
   for (const FlatGroup& group : groups_.groups) {
     if (group.is_exact && !group.is_loose) continue;
     for (const std::uint32_t t : group.triangles) touch_corners(t);
@@ -69,7 +74,7 @@ void CornerSettler::pin(std::uint32_t vertex) {
 void CornerSettler::regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group) {
   std::vector<std::uint32_t> left;
   for (const std::uint32_t t : triangles) {
-    left.push_back(groups_.of_triangle[t]);
+    if (groups_.of_triangle[t] != kNone) left.push_back(groups_.of_triangle[t]);
     groups_.of_triangle[t] = group;
     groups_.groups[group].triangles.push_back(t);
     touch_corners(t);
@@ -127,6 +132,54 @@ void CornerSettler::settle(std::uint32_t vertex, std::vector<CornerConflict>& co
 }
 
 void CornerSettler::settle() {
+  do {
+    settle_touched();
+  } while (adopt());
+}
+
+bool CornerSettler::is_nearly_on(const GridPlane& plane, std::uint32_t triangle) const {
+  const Corners& corners = surface_.triangles[triangle];
+  return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+    const Int128 height = height_above(plane, points_[v]);
+    return -kNearlyOn <= height && height <= kNearlyOn;
+  });
+}
+
+// Triangles of which all corners were moved onto the plane of a group beside them, and groups of
+// which all corners were: they would make faces at angles of nearly 180 degrees. Each triangle is
+// adopted once at most.
+bool CornerSettler::adopt() {
+  bool has_adopted = false;
+  std::vector<std::uint32_t> adopted;
+  for (std::uint32_t g = 0; g < groups_.groups.size(); ++g) {
+    if (groups_.groups[g].is_exact && !groups_.groups[g].is_loose) continue;
+    // The list grows while it is walked: by neighbours of what has been adopted, too.
+    for (std::size_t i = 0; i < groups_.groups[g].triangles.size(); ++i) {
+      for (const std::uint32_t n : surface_.neighbours[groups_.groups[g].triangles[i]]) {
+        const std::uint32_t h = groups_.of_triangle[n];
+        const FlatGroup& group = groups_.groups[g];
+        if (h == g || is_adopted_[n] != 0 || !is_nearly_on(group.plane, n)) continue;
+        adopted.assign(1, n);
+        if (h != kNone) {
+          const FlatGroup& other = groups_.groups[h];
+          if (other.area > group.area || (other.area == group.area && h < g)) continue;
+          adopted = other.triangles;
+          if (!std::all_of(adopted.begin(), adopted.end(), [&](std::uint32_t t) {
+                return is_adopted_[t] == 0 && is_nearly_on(group.plane, t);
+              })) {
+            continue;
+          }
+        }
+        for (const std::uint32_t t : adopted) is_adopted_[t] = 1;
+        regroup(adopted, g);
+        has_adopted = true;
+      }
+    }
+  }
+  return has_adopted;
+}
+
+void CornerSettler::settle_touched() {
   std::vector<CornerConflict> conflicts;
   while (!touched_.empty()) {
     conflicts.clear();

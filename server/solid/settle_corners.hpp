@@ -19,13 +19,15 @@ class CornerSettler {
   /// The corner stays where the file has it, from the next settle() on.
   void pin(std::uint32_t vertex);
 
-  /// Triangles change groups, from the next settle() on: all into one, which is not theirs.
+  /// Triangles change groups, from the next settle() on: all into one, which is theirs not
+  /// yet.
   void regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group);
 
   /// Moves corners and takes triangles out of groups until every corner is within kGridFlatness of
   /// the planes of all groups around it (before it is rounded to the grid, at most). Ends because
   /// every round takes a triangle out of a group; near-linear, as few rounds concern more than a
-  /// few corners.
+  /// few corners. What lies in the plane of a group beside it then without belonging to it joins
+  /// it.
   void settle();
 
   const FlatGroups& groups() const { return groups_; }
@@ -33,6 +35,9 @@ class CornerSettler {
   bool is_moved(std::uint32_t vertex) const { return points_[vertex] != surface_.points[vertex]; }
 
  private:
+  void settle_touched();
+  bool adopt();
+  bool is_nearly_on(const GridPlane& plane, std::uint32_t triangle) const;
   void touch(std::uint32_t vertex);
   void touch_corners(std::uint32_t triangle);
   bool is_on_all_planes(const GridPoint& point) const;
@@ -46,8 +51,9 @@ class CornerSettler {
   std::vector<GridPoint> points_;
   std::vector<std::uint8_t> is_pinned_;
   std::vector<std::uint8_t> is_touched_;
-  std::vector<std::uint32_t> touched_;  // vertices that are to be settled (again)
-  std::vector<std::uint32_t> around_;   // the groups around a vertex, large ones first
+  std::vector<std::uint32_t> touched_;    // vertices that are to be settled (again)
+  std::vector<std::uint8_t> is_adopted_;  // triangles
+  std::vector<std::uint32_t> around_;     // the groups around a vertex, large ones first
 };
 
 }  // namespace spoctree
