@@ -86,7 +86,12 @@ TEST_F(Terminal, CtrlCInAnyStepOfABuildLeavesNothing) {
                            {"build", mesh, "-o", output.file("large.spo")});
     ASSERT_TRUE(server.wait_for(": " + step)) << server.shown();
     server.press_ctrl_c();
-    EXPECT_EQ(server.wait(), -SIGINT) << step;
+    const int code = server.wait();
+    if (code == 0) {  // done before the key was pressed
+      EXPECT_EQ(output.entries(), std::vector<std::string>{"large.spo"}) << step;
+      continue;
+    }
+    EXPECT_EQ(code, -SIGINT) << step;
     // Nothing is left on the terminal either.
     EXPECT_TRUE(server.shown().ends_with("\r\x1b[K")) << step << server.shown();
     EXPECT_EQ(output.entries(), std::vector<std::string>{}) << step;
@@ -99,7 +104,10 @@ TEST_F(Terminal, AServerThatStillBuildsEndsByTheSignal) {
     TerminalProgram server(SPOCTREE_SERVER_PROGRAM, {"serve", mesh, "--listen", "127.0.0.1:0"});
     ASSERT_TRUE(server.wait_for(": building")) << server.shown();
     server.send(signal);
-    EXPECT_EQ(server.wait(), -signal);
+    const int code = server.wait();
+    // Built before the signal came, it ends as a server does.
+    const bool was_serving = server.shown().find("listening on") != std::string::npos;
+    EXPECT_EQ(code, was_serving && signal != SIGKILL ? 0 : -signal);
     EXPECT_EQ(folder_.entries(), std::vector<std::string>{"large.off"});
   }
 }
@@ -112,7 +120,12 @@ TEST_F(Terminal, CtrlCWhileRebuildingOrDrawingLeavesNothing) {
     TerminalProgram client(SPOCTREE_CLIENT_PROGRAM, {command, spo, "-o", output.file("out.off")});
     ASSERT_TRUE(client.wait_for("ing level ")) << client.shown();
     client.press_ctrl_c();
-    EXPECT_EQ(client.wait(), -SIGINT);
+    const int code = client.wait();
+    if (code == 0) {  // done before the key was pressed
+      EXPECT_EQ(output.entries(), std::vector<std::string>{"out.off"});
+      continue;
+    }
+    EXPECT_EQ(code, -SIGINT);
     EXPECT_EQ(output.entries(), std::vector<std::string>{});
   }
 }
