@@ -73,7 +73,8 @@ class Merger {
 
   static CornerSettler make_settler(const FlatSurface& surface, double most_move, double tolerance);
   Attempt attempt();
-  void find_wrong(Attempt& attempt) const;
+  void find_wrong(Attempt& attempt);
+  std::vector<std::array<std::uint32_t, 2>> find_intersections(const Attempt& attempt);
   bool has_collapsed(const Attempt& attempt, std::uint32_t triangle) const;
   void regroup_folds(Attempt& attempt);
   bool lies_near(std::uint32_t triangle, std::uint32_t group) const;
@@ -87,6 +88,14 @@ class Merger {
   Int128 tolerance_;  // as a height
   CornerSettler settler_;
   std::set<std::uint32_t> regrouped_;  // triangles
+
+  // The first attempt whose triangles were compared with each other.
+  struct Judged {
+    std::vector<Vec3> vertices;
+    std::vector<Corners> triangles;
+    SomeBoxes changed;
+  };
+  std::optional<Judged> judged_;
 };
 
 CornerSettler Merger::make_settler(const FlatSurface& surface, double most_move, double tolerance) {
@@ -130,7 +139,7 @@ Merger::Attempt Merger::attempt() {
   return made;
 }
 
-void Merger::find_wrong(Attempt& attempt) const {
+void Merger::find_wrong(Attempt& attempt) {
   const auto is_outside = [&](std::uint32_t v) {
     const Vec3 p = attempt.vertices[v];
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) >= mesh_.universe.half_side;
@@ -144,10 +153,44 @@ void Merger::find_wrong(Attempt& attempt) const {
   std::sort(attempt.wrong.begin(), attempt.wrong.end());
   attempt.wrong.erase(std::unique(attempt.wrong.begin(), attempt.wrong.end()), attempt.wrong.end());
   if (!attempt.wrong.empty()) return;
-  for (const auto& pair : find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
-                                                      attempt.changed, boxes_)) {
+  for (const auto& pair : find_intersections(attempt)) {
     attempt.wrong.insert(attempt.wrong.end(), pair.begin(), pair.end());
   }
+}
+
+// All changes are compared with everything once. Later attempts differ little from the first that
+// got so far, and what they have in common with it need not be compared again: where triangles met,
+// their corners have been pinned since.
+std::vector<std::array<std::uint32_t, 2>> Merger::find_intersections(const Attempt& attempt) {
+  std::vector<std::uint8_t> is_outdated(surface_.triangles.size(), 0);
+  for (const std::uint32_t t : attempt.changed) is_outdated[t] = 1;
+  if (!judged_) {
+    judged_ = {attempt.vertices, attempt.surface.triangles,
+               boxes_of(attempt.vertices, attempt.surface.triangles, attempt.changed)};
+    const JudgedBoxes unmoved{&boxes_, {}, is_outdated};
+    return find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
+                                       judged_->changed, {&unmoved, 1});
+  }
+  std::vector<std::uint32_t> changed;
+  std::vector<std::uint8_t> is_changed_again(surface_.triangles.size(), 0);
+  for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+    const Corners& corners = attempt.surface.triangles[t];
+    const bool is_same = corners == judged_->triangles[t] &&
+                         std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+                           return attempt.vertices[v] == judged_->vertices[v];
+                         });
+    if (is_same) continue;
+    changed.push_back(t);
+    is_changed_again[t] = 1;
+    is_outdated[t] = 1;
+  }
+  for (const std::uint32_t t : judged_->changed.triangles) is_outdated[t] = 1;
+  const JudgedBoxes judged[] = {
+      {&boxes_, {}, is_outdated},
+      {&judged_->changed.boxes, judged_->changed.triangles, is_changed_again}};
+  return find_new_self_intersections(
+      attempt.vertices, attempt.surface.triangles,
+      boxes_of(attempt.vertices, attempt.surface.triangles, std::move(changed)), judged);
 }
 
 // Needles within a face are no harm, as long as they have an area.

@@ -143,6 +143,29 @@ class Hubs {
   // The hub of each triangle, or BoxTree::kMixed; empty if there are none.
   const std::vector<std::uint32_t>& hub_of() const { return hub_of_; }
 
+  // Boxes that contain the triangle together: slices between its hub and the far edge, or its box.
+  void append_slices(std::uint32_t triangle, std::vector<Box>& boxes) const {
+    Corners t = triangles_[triangle];
+    if (hub_of_[triangle] == BoxTree::kMixed) {
+      boxes.push_back(box_around(points_[t[0]], points_[t[1]], points_[t[2]]));
+      return;
+    }
+    while (t[0] != hub_of_[triangle]) std::rotate(t.begin(), t.begin() + 1, t.end());
+    const Vec3 hub = points_[t[0]];
+    const auto at = [&](std::uint32_t v, int slice) {
+      return hub + (points_[v] - hub) * (static_cast<double>(slice) / kSlices);
+    };
+    const Box whole = box_around(hub, points_[t[1]], points_[t[2]]);
+    const Vec3 rounding = 0x1p-50 * glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
+    for (int i = 0; i < kSlices; ++i) {
+      Box box = box_around(at(t[1], i), at(t[1], i + 1), at(t[2], i));
+      const Vec3 last = at(t[2], i + 1);
+      box.lower = glm::min(box.lower, last) - rounding;
+      box.upper = glm::max(box.upper, last) + rounding;
+      boxes.push_back(box);
+    }
+  }
+
   // Pairs of triangles of the same hub. What two triangles share with their hub's corner, they
   // share along a ray from there: what is to be compared is where they are seen from the hub.
   std::vector<TrianglePair> find_wrong_pairs(std::size_t& comparisons) const {
@@ -164,6 +187,7 @@ class Hubs {
   }
 
  private:
+  static constexpr int kSlices = 32;
   static bool is_large(std::uint32_t degree) { return degree > 256; }
 
   // The box of the arc that the triangle covers on the unit sphere around the hub.
@@ -195,11 +219,30 @@ std::vector<TrianglePair> find_wrong_pairs(std::span<const Vec3> points,
       return meet_wrongly(points, triangles[i], triangles[j]);
     });
   }
+  // Long needles have boxes that overlap those of many others; slices of them have not.
+  std::vector<Box> slices;
+  std::vector<std::uint32_t> triangle_of;
+  std::vector<std::uint32_t> label_of;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    hubs.append_slices(i, slices);
+    triangle_of.resize(slices.size(), i);
+    label_of.resize(slices.size(), hub_of[i]);
+  }
+  const BoxTree tree(slices);
   std::vector<TrianglePair> found = find_pairs(
-      boxes, boxes.common_labels(hub_of), comparisons, [&](std::uint32_t i, std::uint32_t j) {
-        return (hub_of[i] != hub_of[j] || hub_of[i] == BoxTree::kMixed) &&
+      tree, tree.common_labels(label_of), comparisons, [&](std::uint32_t p, std::uint32_t q) {
+        const std::uint32_t i = triangle_of[p];
+        const std::uint32_t j = triangle_of[q];
+        return i != j && (hub_of[i] != hub_of[j] || hub_of[i] == BoxTree::kMixed) &&
                meet_wrongly(points, triangles[i], triangles[j]);
       });
+  for (auto& [i, j] : found) {
+    i = triangle_of[i];
+    j = triangle_of[j];
+    if (i > j) std::swap(i, j);
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   const std::vector<TrianglePair> of_hubs = hubs.find_wrong_pairs(comparisons);
   found.insert(found.end(), of_hubs.begin(), of_hubs.end());
   return found;
@@ -222,43 +265,53 @@ SelfIntersections find_self_intersections(std::span<const Vec3> points,
 
 std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> points,
                                                       std::span<const Corners> triangles,
-                                                      std::span<const std::uint32_t> changed,
-                                                      const BoxTree& boxes_before) {
+                                                      const SomeBoxes& changed,
+                                                      std::span<const JudgedBoxes> judged) {
   std::size_t unlimited = std::numeric_limits<std::size_t>::max();
   if (!Hubs(points, triangles).hub_of().empty()) {
     // Boxes around a hub all overlap; the search among all triangles knows a way around that.
     return find_wrong_pairs(points, triangles, box_tree_of(points, triangles), unlimited);
   }
-  std::vector<Corners> changed_triangles;
-  std::vector<std::uint8_t> is_changed(triangles.size(), 0);
-  for (const std::uint32_t t : changed) {
-    changed_triangles.push_back(triangles[t]);
-    is_changed[t] = 1;
-  }
-  std::vector<TrianglePair> found = find_wrong_pairs(
-      points, changed_triangles, box_tree_of(points, changed_triangles), unlimited);
+  const auto are_wrong = [&](std::uint32_t t, std::uint32_t u) {
+    return meet_wrongly(points, triangles[t], triangles[u]);
+  };
+  std::vector<TrianglePair> found =
+      find_pairs(changed.boxes, {}, unlimited, [&](std::uint32_t i, std::uint32_t j) {
+        return are_wrong(changed.triangles[i], changed.triangles[j]);
+      });
   for (auto& [i, j] : found) {
-    i = changed[i];
-    j = changed[j];
+    i = changed.triangles[i];
+    j = changed.triangles[j];
   }
-  std::vector<std::vector<TrianglePair>> parts((changed.size() + kQueriesPerTask - 1) /
+  std::vector<std::vector<TrianglePair>> parts((changed.triangles.size() + kQueriesPerTask - 1) /
                                                kQueriesPerTask);
   parallel_for(parts.size(), [&](std::size_t part) {
-    const std::size_t end = std::min(changed.size(), (part + 1) * kQueriesPerTask);
+    const std::size_t end = std::min(changed.triangles.size(), (part + 1) * kQueriesPerTask);
     for (std::size_t k = part * kQueriesPerTask; k < end; ++k) {
-      const std::uint32_t t = changed[k];
+      const std::uint32_t t = changed.triangles[k];
       const auto& [a, b, c] = triangles[t];
-      boxes_before.visit_overlapping(
-          box_around(points[a], points[b], points[c]), [&](std::uint32_t other) {
-            if (is_changed[other] == 0 && parts[part].size() < kQueriesPerTask &&
-                meet_wrongly(points, triangles[t], triangles[other])) {
-              parts[part].push_back({t, other});
-            }
-          });
+      for (const JudgedBoxes& others : judged) {
+        others.boxes->visit_overlapping(
+            box_around(points[a], points[b], points[c]), [&](std::uint32_t box) {
+              const std::uint32_t u = others.triangles.empty() ? box : others.triangles[box];
+              if (others.is_outdated[u] == 0 && parts[part].size() < kQueriesPerTask &&
+                  are_wrong(t, u)) {
+                parts[part].push_back({t, u});
+              }
+            });
+      }
     }
   });
   for (const auto& part : parts) found.insert(found.end(), part.begin(), part.end());
   return found;
+}
+
+SomeBoxes boxes_of(std::span<const Vec3> points, std::span<const Corners> triangles,
+                   std::vector<std::uint32_t> some) {
+  std::vector<Corners> corners;
+  corners.reserve(some.size());
+  for (const std::uint32_t t : some) corners.push_back(triangles[t]);
+  return {std::move(some), box_tree_of(points, corners)};
 }
 
 BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles) {

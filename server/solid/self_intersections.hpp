@@ -33,13 +33,27 @@ struct SelfIntersections {
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles, const BoxTree& boxes);
 
+/// Some of a surface's triangles; box i is that of triangle triangles[i].
+struct SomeBoxes {
+  std::vector<std::uint32_t> triangles;
+  BoxTree boxes;
+};
+SomeBoxes boxes_of(std::span<const Vec3> points, std::span<const Corners> triangles,
+                   std::vector<std::uint32_t> some);
+
+/// Triangles that have been compared with each other already.
+struct JudgedBoxes {
+  const BoxTree* boxes;
+  std::span<const std::uint32_t> triangles;   ///< of the boxes; empty: box i is of triangle i
+  std::span<const std::uint8_t> is_outdated;  ///< by triangle: its box is no longer the right one
+};
+
 /// The pairs of which at least one triangle is `changed`, or very many of them: what there is to
-/// find after some triangles of a surface without self-intersections have changed.
-/// `boxes_before` holds the boxes of the triangles before; those of the others have not changed.
-/// REQUIRES: as find_self_intersections; `changed` holds no triangle twice.
+/// find after some triangles of a judged surface have changed. Every other triangle is in one of
+/// `judged` and not outdated there. REQUIRES: as find_self_intersections.
 std::vector<std::array<std::uint32_t, 2>> find_new_self_intersections(
-    std::span<const Vec3> points, std::span<const Corners> triangles,
-    std::span<const std::uint32_t> changed, const BoxTree& boxes_before);
+    std::span<const Vec3> points, std::span<const Corners> triangles, const SomeBoxes& changed,
+    std::span<const JudgedBoxes> judged);
 
 /// The tree of the triangles' boxes.
 BoxTree box_tree_of(std::span<const Vec3> points, std::span<const Corners> triangles);

@@ -285,6 +285,33 @@ TEST(MergeFaces, DoesTheSameWithAnyNumberOfThreads) {
   }
 }
 
+// Two fans over a wavy ring of n points.
+PolygonSoup two_fans(std::uint32_t n, double twist) {
+  std::vector<glm::dvec3> points = {{0, 0, 1}, {0, 0, -1}};
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double at = 2 * std::numbers::pi * i / n;
+    const double around = at + twist * std::sin(5 * at);
+    points.emplace_back(std::cos(around), std::sin(around), 0.01 * std::sin(7 * at));
+    faces.push_back({0, 2 + i, 2 + (i + 1) % n});
+    faces.push_back({1, 2 + (i + 1) % n, 2 + i});
+  }
+  return make_soup(points, faces);
+}
+
+TEST(LargeFans, AreSolids) {
+  const PolygonSoup soup = two_fans(20000, 0);
+  const Solid solid = import_it(soup, 0);
+  EXPECT_EQ(solid.planes.size(), 40000u);
+  EXPECT_LT(import_it(soup, 1e-6).planes.size(), 40000u);
+}
+
+TEST(LargeFans, AreRefusedWhereTheyFoldBack) {
+  // Twisted so that the ring runs backwards for a while, at other heights.
+  EXPECT_NE(import_error(two_fans(1000, 0.1), 0).rfind("it: self-intersecting: ", 0), 0u);
+  EXPECT_EQ(import_error(two_fans(1000, 0.5), 0).rfind("it: self-intersecting: ", 0), 0u);
+}
+
 CornerPlane plane(double x, double y, double z, double height) {
   CornerPlane made;
   const long double length = std::sqrt(static_cast<long double>(x * x + y * y + z * z));

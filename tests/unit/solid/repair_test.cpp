@@ -271,17 +271,16 @@ TEST(Repair, EndsInTimeWithoutAnEndToTheNeedles) {
   EXPECT_NE(import_error(repair(soup).soup).find("degenerate: 1968 faces"), std::string::npos);
 }
 
-// Each triangle above touches the box of every triangle below, or nearly.
+// Thin sticks side by side, askew: the box of each overlaps that of every other.
 TEST(JudgeSolid, RefusesMoreTrianglesThanCanBeCompared) {
-  const double pi = std::numbers::pi;
-  std::vector<glm::dvec3> points{{0, 0, 1}, {0, 0, -1}};
+  std::vector<glm::dvec3> points;
   std::vector<Face> faces;
-  constexpr std::uint32_t kSides = 15'000;
-  for (std::uint32_t i = 0; i < kSides; ++i) {
-    points.emplace_back(std::cos(2 * pi * i / kSides), std::sin(2 * pi * i / kSides), 0);
-    const std::uint32_t next = 2 + (i + 1) % kSides;
-    faces.push_back({2 + i, next, 0});
-    faces.push_back({next, 2 + i, 1});
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const double y = 1e-4 * i;
+    const std::uint32_t a = 4 * i;
+    points.insert(points.end(), {{0, y, 0}, {1, 1 + y, 0}, {0, y + 5e-5, 0}, {0, y, 5e-5}});
+    faces.insert(faces.end(),
+                 {{a, a + 2, a + 1}, {a, a + 1, a + 3}, {a + 1, a + 2, a + 3}, {a, a + 3, a + 2}});
   }
   EXPECT_NE(
       import_error(make_soup(points, faces)).find("too entangled to be judged: the bounding "),
