@@ -137,7 +137,7 @@ Hole describe(const Loop& loop, const PolygonSoup& soup) {
 }
 
 // Empty if CGAL finds none.
-Patch triangulate(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
+Patch triangulate(const Loop& loop, const PolygonSoup& soup) {
   std::vector<Point> points;
   std::vector<Point> opposite;
   for (const BorderEdge& edge : loop) {
@@ -148,10 +148,11 @@ Patch triangulate(const Loop& loop, const Hole& hole, const PolygonSoup& soup) {
   }
   std::vector<CGAL::Triple<int, int, int>> triangles;
   try {
+    // Not by CGAL's triangulation in the plane of a flat hole: its test for crossing edges is not
+    // exact, and where it errs, constraints that cross end in a segmentation fault (5.5.1).
     PMP::triangulate_hole_polyline(points, opposite, std::back_inserter(triangles),
                                    CGAL::parameters::use_delaunay_triangulation(true)
-                                       .use_2d_constrained_delaunay_triangulation(hole.is_flat)
-                                       .threshold_distance(kFlatHole * hole.size)
+                                       .use_2d_constrained_delaunay_triangulation(false)
                                        .do_not_use_cubic_algorithm(loop.size() > kMostCubicEdges));
   } catch (const CGAL::Failure_exception&) {
     return {};
@@ -234,7 +235,7 @@ FilledHoles fill_holes(PolygonSoup& soup) {
       continue;
     }
     squares_left -= square;
-    const Patch patch = by_polygon ? one_polygon(loop) : triangulate(loop, hole, soup);
+    const Patch patch = by_polygon ? one_polygon(loop) : triangulate(loop, soup);
     if (is_back_of_face(loop, soup) || !is_good(patch, loop, edges_in_use)) {
       holes.unfillable.add(hole);
       continue;

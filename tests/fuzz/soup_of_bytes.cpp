@@ -36,13 +36,15 @@ PolygonSoup soup_of_bytes(std::string_view bytes) {
   };
   PolygonSoup soup;
   const std::size_t points = 1 + static_cast<std::size_t>(next()) % kMostPoints;
-  const bool is_noisy = next() % 2 == 1;
+  const int spread = next() % 4;
   for (std::size_t i = 0; i < points; ++i) {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis) {
       const int value = next();
       point[axis] = value < 128 ? value : value - 256;
-      if (is_noisy) point[axis] += 1e-8 * (value * 7 % 11);
+      if (spread == 1) point[axis] += 1e-8 * (value * 7 % 11);
+      if (spread == 2) point[axis] = std::ldexp(point[axis], value * 5 % 60 - 20);
+      if (spread == 3) point[axis] = std::ldexp(point[axis], value * 37 % 1200 - 600);
     }
     soup.points.push_back(point);
   }

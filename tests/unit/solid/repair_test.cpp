@@ -213,6 +213,20 @@ TEST(Repair, FillsAnUnevenHoleOfManyEdges) {
   EXPECT_NEAR(repaired_volume(soup), std::numbers::pi * (1 + 10.0 / 3), std::numbers::pi * 0.2);
 }
 
+// CGAL's filling in the plane of the hole ended in a segmentation fault here.
+TEST(Repair, FillsAFlatHoleThatIsAllButALine) {
+  for (const bool is_other_way : {false, true}) {
+    PolygonSoup soup = make_soup({{0.6000000238418579, -2, 3.200000047683716},
+                                  {1.399999976158142, -2, 3.200000047683716},
+                                  {0.6000000238418579, -0.8660249710083008, 3.200000047683716},
+                                  {1.399999976158142, -2, 13743895552.0},
+                                  {0, 0, 0}},
+                                 {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+    if (is_other_way) soup = reversed(soup);
+    EXPECT_EQ(only_change(soup).find("filled: 1 hole with 2 faces"), 0u);
+  }
+}
+
 TEST(Repair, DoesNotGuessTheShapeOfALargeUnevenHole) {
   const Repair repaired = repair(open_drum(400, 8, 2));
   EXPECT_TRUE(repaired.changes.empty());
