@@ -289,7 +289,7 @@ TEST(Repair, EndsInTimeWithoutAnEndToTheNeedles) {
 TEST(JudgeSolid, RefusesMoreTrianglesThanCanBeCompared) {
   std::vector<glm::dvec3> points;
   std::vector<Face> faces;
-  for (std::uint32_t i = 0; i < 3000; ++i) {
+  for (std::uint32_t i = 0; i < 5000; ++i) {
     const double y = 1e-4 * i;
     const std::uint32_t a = 4 * i;
     points.insert(points.end(), {{0, y, 0}, {1, 1 + y, 0}, {0, y + 5e-5, 0}, {0, y, 5e-5}});
