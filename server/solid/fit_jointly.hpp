@@ -19,9 +19,8 @@ struct JointFit {
 /// the triangles around the corner leave the smallest of its groups. What is left apart then, the
 /// caller finds out corner by corner.
 ///
-/// Gauss and Newton's method for the equations "corner lies on plane", each step the damped
-/// least-norm solution: corners are eliminated one by one, what couples the planes is factored
-/// (sparse Cholesky). Time grows like that of factoring the graph of neighbouring groups.
+/// Groups that share corners, directly or over others, are solved together (JointFitter), again and
+/// again until no corner is in conflict, 24 times at most.
 JointFit fit_jointly(const FlatSurface& surface, FlatGroups& groups, double most_move);
 
 }  // namespace spoctree

@@ -1,6 +1,7 @@
 #include "server/solid/merge_faces.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <set>
 #include <utility>
@@ -94,6 +95,7 @@ class Merger {
     std::vector<Vec3> vertices;
     std::vector<Corners> triangles;
     SomeBoxes changed;
+    std::vector<std::array<std::uint32_t, 2>> wrong;  // pairs of triangles that met
   };
   std::optional<Judged> judged_;
 };
@@ -159,17 +161,25 @@ void Merger::find_wrong(Attempt& attempt) {
 }
 
 // All changes are compared with everything once. Later attempts differ little from the first that
-// got so far, and what they have in common with it need not be compared again: where triangles met,
-// their corners have been pinned since.
+// got so far, and what they have in common with it need not be compared again.
 std::vector<std::array<std::uint32_t, 2>> Merger::find_intersections(const Attempt& attempt) {
   std::vector<std::uint8_t> is_outdated(surface_.triangles.size(), 0);
   for (const std::uint32_t t : attempt.changed) is_outdated[t] = 1;
   if (!judged_) {
-    judged_ = {attempt.vertices, attempt.surface.triangles,
-               boxes_of(attempt.vertices, attempt.surface.triangles, attempt.changed)};
+    judged_ = {attempt.vertices,
+               attempt.surface.triangles,
+               boxes_of(attempt.vertices, attempt.surface.triangles, attempt.changed),
+               {}};
     const JudgedBoxes unmoved{&boxes_, {}, is_outdated};
-    return find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
-                                       judged_->changed, {&unmoved, 1});
+    auto found = find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
+                                             judged_->changed, {&unmoved, 1});
+    // Of very many, some may not have been told.
+    if (found.size() < kAllPairsAreFoundBelow) {
+      judged_->wrong = found;
+    } else {
+      judged_.reset();
+    }
+    return found;
   }
   std::vector<std::uint32_t> changed;
   std::vector<std::uint8_t> is_changed_again(surface_.triangles.size(), 0);
@@ -188,9 +198,14 @@ std::vector<std::array<std::uint32_t, 2>> Merger::find_intersections(const Attem
   const JudgedBoxes judged[] = {
       {&boxes_, {}, is_outdated},
       {&judged_->changed.boxes, judged_->changed.triangles, is_changed_again}};
-  return find_new_self_intersections(
+  auto found = find_new_self_intersections(
       attempt.vertices, attempt.surface.triangles,
       boxes_of(attempt.vertices, attempt.surface.triangles, std::move(changed)), judged);
+  std::copy_if(judged_->wrong.begin(), judged_->wrong.end(), std::back_inserter(found),
+               [&](const std::array<std::uint32_t, 2>& pair) {
+                 return is_changed_again[pair[0]] == 0 && is_changed_again[pair[1]] == 0;
+               });
+  return found;
 }
 
 // Needles within a face are no harm, as long as they have an area.

@@ -81,6 +81,7 @@ bool meet_wrongly(std::span<const Vec3> points, Corners a, Corners b) {
 constexpr std::uint32_t kBoxesPerTask = 2048;
 constexpr std::size_t kTasksAtATime = 16;  // at first
 constexpr std::size_t kQueriesPerTask = 1024;
+static_assert(kAllPairsAreFoundBelow <= std::min(kQueriesPerTask, kMostSelfIntersections));
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 

@@ -48,6 +48,9 @@ struct JudgedBoxes {
   std::span<const std::uint8_t> is_outdated;  ///< by triangle: its box is no longer the right one
 };
 
+/// If find_new_self_intersections returns fewer pairs than these, they are all.
+inline constexpr std::size_t kAllPairsAreFoundBelow = 1024;
+
 /// The pairs of which at least one triangle is `changed`, or very many of them: what there is to
 /// find after some triangles of a judged surface have changed. Every other triangle is in one of
 /// `judged` and not outdated there. REQUIRES: as find_self_intersections.
