@@ -50,7 +50,7 @@ class Rounds {
         groups_(groups),
         most_move_(most_move),
         number_of_vertex_(surface.points.size(), kNone) {
-    fit_.ways.assign(surface.points.size(), Vector{});
+    fit_.ways.assign(surface.points.size(), {});
     for (std::uint32_t g = 0; g < groups.groups.size(); ++g) {
       if (may_move(g)) changed_.push_back(g);
     }
