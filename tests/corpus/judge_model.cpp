@@ -1,6 +1,6 @@
 // A mesh file and the .spo file made of it -> what a judge that knows only the mesh says of the
 // levels. The mesh is read by CGAL, points are located by CGAL's exact predicates.
-// Usage: judge_model MESH MODEL.spo [--points N] [--nearest D] [--rebuilt FILE.off]
+// Usage: judge_model MESH MODEL.spo [--points N] [--nearest D] [--moved D] [--rebuilt FILE.off]
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/polygon_soup_io.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -33,6 +33,7 @@ struct Options {
   std::string name;  // in the report
   std::size_t points = 100000;
   double nearest = 1e-6;  // of the diagonal: points closer to the surface are not judged
+  double moved = 0;       // of the diagonal: the solid served may be so far from the mesh
 };
 
 PlainMesh read_with_cgal(const std::string& path) {
@@ -172,8 +173,9 @@ class Judge {
       if (grey.pieces.empty()) continue;
       const double sampled = sampled_distance(grey.pieces, k);
       const double bound = tree_.levels[k].statement.error_bound;
-      if (bound < sampled) bounds_hold_ = false;
-      if (sampled > 1e-9 * judge_.diagonal()) {
+      const double moved = options_.moved * judge_.diagonal();
+      if (bound < sampled - moved) bounds_hold_ = false;
+      if (sampled > 10 * moved + 1e-9 * judge_.diagonal()) {
         loosest_bound_ = std::max(loosest_bound_, bound / sampled);
       }
     }
@@ -261,6 +263,7 @@ int main(int argc, char** argv) {
   app.add_option("MESH", options.mesh)->required();
   app.add_option("MODEL", options.model)->required();
   app.add_option("--points", options.points, "Points to classify");
+  app.add_option("--moved", options.moved, "The solid may be off the mesh by this (diagonals)");
   app.add_option("--nearest", options.nearest, "Judge no points nearer to the surface (diagonals)");
   app.add_option("--name", options.name, "What to call the mesh (default: its file's name)");
   app.add_option("--rebuilt", options.rebuilt, "The rebuilt boundary, as OFF");
