@@ -8,28 +8,54 @@
 
 namespace spoctree {
 
-Camera::Camera(Vec3 toward_viewer) {
-  const double largest =
-      std::max({std::abs(toward_viewer.x), std::abs(toward_viewer.y), std::abs(toward_viewer.z)});
-  if (!(largest > 0) || !std::isfinite(toward_viewer.x) || !std::isfinite(toward_viewer.y) ||
-      !std::isfinite(toward_viewer.z)) {
-    throw UsageError("the direction of view must be finite and not zero");
+namespace {
+
+/// Scaled first, so that the squares neither overflow nor vanish.
+Vec3 unit_vector(Vec3 v, const char* name) {
+  const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+  if (!(largest > 0) || !std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z)) {
+    throw UsageError(std::string(name) + " must be finite and not zero");
   }
-  // Scaled first, so that the squares neither overflow nor vanish.
-  toward_viewer_ = glm::normalize(toward_viewer / largest);
-  const double off_axis = std::hypot(toward_viewer_.x, toward_viewer_.y);
-  if (off_axis < kEdgeOnTolerance) {
-    toward_viewer_ = {0, 0, toward_viewer_.z > 0 ? 1 : -1};
-    up_ = {0, 1, 0};
-    right_ = {toward_viewer_.z, 0, 0};
-    return;
+  return glm::normalize(v / largest);
+}
+
+/// Directions along an axis up to rounding are along it.
+Vec3 snapped(Vec3 direction) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(direction[axis]) < kEdgeOnTolerance) direction[axis] = 0;
   }
-  right_ = Vec3{-toward_viewer_.y, toward_viewer_.x, 0} / off_axis;
+  return glm::normalize(direction);
+}
+
+}  // namespace
+
+Camera::Camera(Vec3 toward_viewer, Vec3 up) {
+  turn(unit_vector(toward_viewer, "the direction of view"), up);
+}
+
+Camera Camera::perspective(Vec3 eye, Vec3 target, Vec3 up) {
+  Camera camera;
+  camera.turn(unit_vector(eye - target, "the way from the target to the eye"), up);
+  camera.eye_ = eye;
+  camera.focal_length_ = glm::distance(eye, target);
+  camera.least_depth_ = kLeastDepth;
+  return camera;
+}
+
+void Camera::turn(Vec3 toward_viewer, Vec3 up) {
+  toward_viewer_ = snapped(toward_viewer);
+  up = unit_vector(up, "the direction upwards");
+  Vec3 right = glm::cross(up, toward_viewer_);
+  for (const Vec3 other : {Vec3{0, 1, 0}, Vec3{0, 0, 1}}) {
+    if (glm::length(right) < kEdgeOnTolerance) right = glm::cross(other, toward_viewer_);
+  }
+  right_ = snapped(glm::normalize(right));
   up_ = glm::cross(toward_viewer_, right_);
 }
 
 int Camera::facing(const Plane& plane) const {
-  const double sine = glm::dot(plane.normal, toward_viewer_);
+  const double sine = is_perspective() ? glm::dot(plane.normal, eye_) - plane.offset
+                                       : glm::dot(plane.normal, toward_viewer_);
   if (std::abs(sine) <= kEdgeOnTolerance) return 0;
   return sine > 0 ? 1 : -1;
 }

@@ -72,7 +72,7 @@ VisibleLine line_of(const CreasePart& part, const Creases& creases, LineKind kin
   const auto at = [&](double t) {
     return t <= 0 ? crease.a : (t >= 1 ? crease.b : crease.a + t * (crease.b - crease.a));
   };
-  VisibleLine line{at(part.interval.begin), at(part.interval.end), kind, hidden, {}};
+  VisibleLine line{at(part.interval.begin), at(part.interval.end), kind, hidden, false, {}, {}};
   const auto sides = creases.sides_of(crease);
   for (std::size_t k = 0; k < 2 && k < sides.size(); ++k) line.planes[k] = sides[k].plane;
   return line;

@@ -36,6 +36,10 @@ inline constexpr double kCreaseDepthTolerance = 1e-6;
 /// Consecutive lines become one line if their joints stand off it by less than this.
 inline constexpr double kJoinTolerance = 1e-9;
 
+/// What is nearer than this to the plane through the eye, across the axis of sight, is not drawn in
+/// a perspective (universe units).
+inline constexpr double kLeastDepth = 1e-6;
+
 /// A face is seen edge-on if its direction and that to the viewer differ by less than this (sine).
 inline constexpr double kEdgeOnTolerance = 1e-12;
 

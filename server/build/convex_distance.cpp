@@ -10,6 +10,10 @@ namespace spoctree {
 
 namespace {
 
+/// What doubles make of the side of an edge is off by less than this times the lengths of the edge
+/// and of the way to the point.
+constexpr double kSideRounding = 0x1p-49;
+
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 way = b - a;
   const double squared = glm::dot(way, way);
@@ -18,7 +22,9 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
 }
 
 /// The distance of a point from a convex polyhedron's boundary, up to the errors of its vertices:
-/// the nearest point is below the point in a face, or on an edge.
+/// the nearest point is below the point in a face, or on an edge. A point is taken to be over a
+/// face only if it is for certain: faces may be so narrow, or so small, that their corners are the
+/// same doubles, and then every point of the plane would seem to be over them.
 double distance_to_boundary(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
   double least = std::numeric_limits<double>::infinity();
   for (const Polyhedron::Face& face : piece.faces) {
@@ -29,7 +35,11 @@ double distance_to_boundary(const Polyhedron& piece, const PlaneSet& planes, Vec
       const Vec3 a = piece.vertices[loop[i].vertex].position;
       const Vec3 b = piece.vertices[loop[i + 1 == loop.size() ? 0 : i + 1].vertex].position;
       least = std::min(least, distance_to_segment(p, a, b));
-      if (glm::dot(glm::cross(plane.normal, b - a), p - a) < 0) is_over_face = false;
+      const Vec3 edge = b - a;
+      const Vec3 way = p - a;
+      const double side = glm::dot(glm::cross(plane.normal, edge), way);
+      const double rounding = kSideRounding * kSideRounding * glm::dot(edge, edge);
+      if (side <= 0 || side * side <= rounding * glm::dot(way, way)) is_over_face = false;
     }
     if (is_over_face) {
       least = std::min(least, std::abs(glm::dot(plane.normal, p) - plane.offset));

@@ -10,9 +10,9 @@ class MeasuredTriangle {
  public:
   MeasuredTriangle(Vec3 a, Vec3 b, Vec3 c);
 
-  /// The error of its square root is below 2^-50 for points of the universe cube: a point that is
-  /// over the triangle is measured along the normal, which comes from an exact cross product (for
-  /// slivers, too), any other along the way to the nearest edge.
+  /// The error of its square root is below 2^-46 for points of the universe cube: a point that is
+  /// over the triangle for certain is measured along the normal, which comes from an exact cross
+  /// product (for slivers, too), any other along the way to the nearest edge.
   double squared_distance(Vec3 p) const;
 
  private:

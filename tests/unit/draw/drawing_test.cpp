@@ -10,7 +10,7 @@ namespace spoctree {
 namespace {
 
 VisibleLine line(Vec3 a, Vec3 b, LineKind kind = LineKind::Crease, bool hidden = false) {
-  return {a, b, kind, hidden, {}};
+  return {a, b, kind, hidden, false, {}, {}};
 }
 
 PageOptions page(Vec2 lower, Vec2 upper) {

@@ -208,6 +208,31 @@ TEST(MeasuredTriangle, MeasuresSlivers) {
   }
 }
 
+TEST(MeasuredTriangle, MeasuresFromFarBeyondTheTipOfANeedle) {
+  // Any direction, a few grid steps high at the far end: beyond the tip, all that tells the point
+  // from one over the needle is below the rounding of doubles.
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(-0.5, 0.5);
+  std::uniform_int_distribution<int> steps(-3, 3);
+  const auto on_grid = [](double x) { return std::ldexp(std::nearbyint(std::ldexp(x, 52)), -52); };
+  const auto point = [&] {
+    return Vec3{on_grid(coordinate(random)), on_grid(coordinate(random)),
+                on_grid(coordinate(random))};
+  };
+  int measured = 0;
+  for (int i = 0; i < 200000; ++i) {
+    const Vec3 tip = point();
+    const Vec3 end = point();
+    const Vec3 height = 0x1p-52 * Vec3{steps(random), steps(random), steps(random)};
+    if (glm::cross(height, end - tip) == Vec3{0.0}) continue;
+    const MeasuredTriangle needle(tip, end, end + height);
+    const Vec3 p = tip - (coordinate(random) + 0.5) * (end - tip);
+    ASSERT_NEAR(std::sqrt(needle.squared_distance(p)), glm::distance(p, tip), 0x1p-46);
+    ++measured;
+  }
+  EXPECT_GT(measured, 190000);
+}
+
 TEST(BoxTree, FindsThePairsThatComparingAllFinds) {
   std::mt19937 random(4);
   std::uniform_int_distribution<int> corner(0, 20), side(0, 3);  // many boxes just touch
