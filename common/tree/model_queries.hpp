@@ -7,8 +7,9 @@ namespace spoctree {
 
 /// Where a point of the model lies. It is rounded to the grid as the mesh's vertices were (2^-53 of
 /// the universe cube at most), so that a point of a face parallel to the axes is exactly on it.
-/// Planes of other faces are rounded outwards: a point of the mesh is On or, by less than 2^-51,
-/// In. Complexity: QueryIndex::classify.
+/// Planes of other faces are rounded outwards: a vertex of the mesh is On or, by less than 2^-51,
+/// In; any other point of such a face, being rounded itself, may be Out by as little.
+/// Complexity: QueryIndex::classify.
 PointClass classify_in_model(const QueryIndex& index, Vec3 point);
 
 /// The first crossing of the ray origin + t direction, t > 0, with the boundary: times in units of
