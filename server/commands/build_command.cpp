@@ -1,7 +1,12 @@
 #include "server/commands/build_command.hpp"
 
 #include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <system_error>
 
+#include "common/base/atomic_file.hpp"
+#include "common/base/errors.hpp"
 #include "common/program/output.hpp"
 #include "common/program/progress_line.hpp"
 #include "common/report/level_rows.hpp"
@@ -32,17 +37,46 @@ std::string summarize(const BuildArguments& arguments, const Model& model, const
   return text + line;
 }
 
+/// What is written to a device is not lost in it by writing more.
+bool are_one_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  if (a == "-" || b == "-") return a == b;
+  const auto status = std::filesystem::status(a, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return false;
+  return a == b || std::filesystem::equivalent(a, b, ignored);
+}
+
+/// Two things in one file would be one of them lost: at worst the user's mesh.
+void require_different_files(const BuildArguments& arguments) {
+  const auto require = [](const std::string& a, const std::string& b, const char* what) {
+    if (are_one_file(a, b)) throw UsageError(b + ": " + what);
+  };
+  require(arguments.mesh, arguments.output, "--output is the mesh itself");
+  if (arguments.save_solid.empty()) return;
+  require(arguments.mesh, arguments.save_solid, "--save-solid is the mesh itself");
+  require(arguments.output, arguments.save_solid, "--save-solid and --output are the same");
+}
+
 }  // namespace
 
 void run_build(const BuildArguments& arguments) {
+  require_different_files(arguments);
   ProgressLine line;
+  // It gets its name together with the model: a build that is broken off leaves neither.
+  std::optional<AtomicFile> solid_file;
   const auto save = [&](const Solid& solid) {
-    if (!arguments.save_solid.empty()) write_output(arguments.save_solid, to_off(solid));
+    if (arguments.save_solid == "-") {
+      print(to_off(solid));
+    } else if (!arguments.save_solid.empty()) {
+      solid_file.emplace(arguments.save_solid);
+      solid_file->write(to_off(solid));
+    }
   };
   const Model model =
       build_model(arguments.mesh, arguments.options, show_progress(line, arguments.mesh), save);
   const SpoFile file(model.spo, arguments.output);
   write_output(arguments.output, model.spo);
+  if (solid_file) solid_file->commit();
   line.clear();
   const std::string summary = summarize(arguments, model, file);
   if (arguments.output == "-") {

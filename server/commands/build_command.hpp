@@ -14,7 +14,8 @@ struct BuildArguments {
   ModelOptions options;
 };
 
-/// Throws BadInput as build_model does and when the output cannot be written.
+/// Throws UsageError if two of the files are one, BadInput as build_model does and when the output
+/// cannot be written; then neither output is there.
 void run_build(const BuildArguments& arguments);
 
 }  // namespace spoctree

@@ -20,7 +20,8 @@ std::string to_string(Item item);
 /// every byte that is not printable ASCII as \xNN.
 std::string quoted(std::string_view word);
 
-/// Walks over words separated by blanks (space, tab, CR, VT, FF); lines end with LF. Views handed
+/// Walks over words separated by blanks (space, tab, CR, VT, FF); lines end with LF. A byte order
+/// mark of UTF-8, with which some editors begin a file, is no part of the first word. Views handed
 /// out point into `bytes`, which has to outlive the cursor. Linear in the size of the text.
 class TextCursor {
  public:
@@ -32,7 +33,9 @@ class TextCursor {
 
   TextCursor(std::string_view bytes, std::string_view name) : TextCursor(bytes, name, Syntax()) {}
   TextCursor(std::string_view bytes, std::string_view name, Syntax syntax)
-      : bytes_(bytes), name_(name), syntax_(syntax), line_(syntax.first_line) {}
+      : bytes_(bytes), name_(name), syntax_(syntax), line_(syntax.first_line) {
+    if (line_ == 1 && bytes.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+  }
 
   /// Leaves the rest of this line and goes to the first word of the next line that has one. False
   /// at the end of the text. The first call goes to the first line.
@@ -61,6 +64,8 @@ class TextCursor {
   [[noreturn]] void fail_at(std::size_t line, const std::string& what) const;
 
  private:
+  static constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
   void skip_blanks();
   bool skip_joined_line_end();
 

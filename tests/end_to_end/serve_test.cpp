@@ -259,6 +259,25 @@ TEST_F(Serve, BuildSaysWhatItBuiltAndInfoRepeatsIt) {
   EXPECT_NE(of_mesh.out.find("\"planes\":43"), std::string::npos) << of_mesh.out;
 }
 
+TEST_F(Serve, BuildWritesNoTwoThingsIntoOneFile) {
+  const std::string mesh = put("cube.off", off_of("cube"));
+  const std::string other_name = folder_.file("same.off");
+  std::filesystem::create_hard_link(mesh, other_name);
+  const std::string spo = folder_.file("x.spo");
+  for (const Arguments& arguments :
+       std::vector<Arguments>{{"build", mesh, "-o", mesh},
+                              {"build", mesh, "-o", other_name},
+                              {"build", mesh, "-o", spo, "--save-solid", mesh},
+                              {"build", mesh, "-o", spo, "--save-solid", spo},
+                              {"build", mesh, "-o", "-", "--save-solid", "-"}}) {
+    const Outcome outcome = run_server(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    expect_one_complaint(outcome, "spoctree-server");
+    EXPECT_EQ(read_file(mesh), off_of("cube"));
+    EXPECT_FALSE(exists(spo));
+  }
+}
+
 TEST_F(Serve, BuildsTheSameBytesAgain) {
   const std::string mesh = put("saddle.off", off_of("saddle"));
   EXPECT_EQ(run_server({"build", mesh, "-o", folder_.file("again.spo")}).code, 0);

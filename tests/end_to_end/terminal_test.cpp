@@ -82,13 +82,13 @@ TEST_F(Terminal, CtrlCInAnyStepOfABuildLeavesNothing) {
   const std::string mesh = large_mesh();
   for (const std::string step : {"reading", "judging", "building", "certifying", "encoding"}) {
     TemporaryFolder output;
-    TerminalProgram server(SPOCTREE_SERVER_PROGRAM,
-                           {"build", mesh, "-o", output.file("large.spo")});
+    TerminalProgram server(SPOCTREE_SERVER_PROGRAM, {"build", mesh, "-o", output.file("large.spo"),
+                                                     "--save-solid", output.file("solid.off")});
     ASSERT_TRUE(server.wait_for(": " + step)) << server.shown();
     server.press_ctrl_c();
     const int code = server.wait();
     if (code == 0) {  // done before the key was pressed
-      EXPECT_EQ(output.entries(), std::vector<std::string>{"large.spo"}) << step;
+      EXPECT_EQ(output.entries(), (std::vector<std::string>{"large.spo", "solid.off"})) << step;
       continue;
     }
     EXPECT_EQ(code, -SIGINT) << step;

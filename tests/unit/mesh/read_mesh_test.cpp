@@ -46,6 +46,24 @@ TEST_F(ReadMesh, TakesTheFormatFromTheExtensionInAnyCase) {
             4U);
 }
 
+TEST_F(ReadMesh, SkipsAByteOrderMark) {
+  // Taken for part of the first word it would cost an OBJ file its first vertex.
+  const std::string mark = "\xef\xbb\xbf";
+  const std::pair<const char*, std::string> files[] = {
+      {"a.off", kTetrahedronOff},
+      {"a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"},
+      {"a.stl", kTetrahedronTextStl},
+      {"a.ply", kTetrahedronTextPly},
+      {"b.ply", tetrahedron_binary_ply(ByteOrder::BigEndian)}};
+  for (const auto& [name, bytes] : files) {
+    const PolygonSoup plain = read_mesh(write(name, bytes));
+    const PolygonSoup marked = read_mesh(write(name, mark + bytes));
+    EXPECT_EQ(marked.points, plain.points) << name;
+    EXPECT_EQ(marked.corners, plain.corners) << name;
+    EXPECT_EQ(marked.points.size(), 4U) << name;
+  }
+}
+
 TEST_F(ReadMesh, RejectsUnknownExtensions) {
   for (const char* name : {"a.step", "a", "a.off.gz", ".off"}) {
     const auto path = write(name, kTetrahedronOff);
