@@ -9,8 +9,22 @@ class App;
 
 namespace spoctree {
 
-/// The option `--threads N` of a command. Parallel code uses oneTBB's current arena and need not
-/// know of it: the number is a limit for the whole process. Results never depend on it.
+/// While it lives, the process uses at most so many threads (the least of all limits that live).
+/// Parallel code uses oneTBB's current arena and need not know of it. Results never depend on it.
+class ThreadLimit {
+ public:
+  /// REQUIRES: threads >= 1.
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+/// The option `--threads N` of a command.
 class ThreadsOption {
  public:
   /// Adds the option to a command. REQUIRES: this outlives the command's parsing.
@@ -23,9 +37,8 @@ class ThreadsOption {
   void apply();
 
  private:
-  struct Limit;
   int threads_ = 0;
-  std::unique_ptr<Limit> limit_;
+  std::unique_ptr<ThreadLimit> limit_;
 };
 
 }  // namespace spoctree

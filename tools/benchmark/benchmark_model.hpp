@@ -49,5 +49,6 @@ std::shared_ptr<BenchmarkModel> wavy_sphere_model(int bands);
 
 /// Registers each benchmark of a file for a model, as "stage/model".
 void register_pipeline_benchmarks(const std::shared_ptr<BenchmarkModel>& model);
+void register_drawing_benchmarks(const std::shared_ptr<BenchmarkModel>& model);
 
 }  // namespace spoctree

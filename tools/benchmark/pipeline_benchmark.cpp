@@ -1,9 +1,7 @@
-// Times each stage of the pipeline, mesh to lines.
+// Times each stage of the pipeline, mesh to surface.
 
 #include <benchmark/benchmark.h>
 
-#include "client/lines/camera.hpp"
-#include "client/lines/visible_lines.hpp"
 #include "common/wire/decode.hpp"
 #include "common/wire/encode.hpp"
 #include "server/build/certify.hpp"
@@ -37,7 +35,6 @@ void register_pipeline_benchmarks(const std::shared_ptr<BenchmarkModel>& model) 
   const auto import = [](Model& m) { m.queries(); };
   const auto build = [](Model& m) { m.built(); };
   const auto encode = [](Model& m) { m.stream(); };
-  const auto rebuild = [](Model& m) { m.surface(); };
   add(model, "import", read, [](Model& m) { return import_solid(m.soup(), m.name(), {}); });
   add(model, "build", import, [](Model& m) { return build_octree(m.solid(), m.queries(), {}); });
   add(model, "certify", build, [](Model& m) {
@@ -49,9 +46,6 @@ void register_pipeline_benchmarks(const std::shared_ptr<BenchmarkModel>& model) 
   add(model, "rebuild", build, [](Model& m) { return rebuild_surface(m.built().tree); });
   add(model, "decode+rebuild", encode,
       [](Model& m) { return rebuild_surface(decode_stream(m.stream())); });
-  add(model, "draw", rebuild, [](Model& m) {
-    return visible_lines(m.built().tree, m.surface(), Camera(Vec3{0.55, -0.71, 0.44}), {});
-  });
 }
 
 }  // namespace spoctree
