@@ -1,10 +1,10 @@
 // spoctree-client: sockets and .spo files -> trees, level by level -> tables, meshes, drawings.
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <string>
 
 #include "client/commands/commands.hpp"
+#include "client/commands/draw_options.hpp"
 #include "common/base/errors.hpp"
 #include "common/program/run_program.hpp"
 #include "common/program/threads.hpp"
@@ -45,15 +45,6 @@ CLI::App& add_ask_command(CLI::App& app, const char* name, const char* descripti
                    "read all questions, then answer each with the first level that can, while the "
                    "levels arrive: lines \"LEVEL LINE ANSWER\"");
   return command;
-}
-
-std::uint32_t parse_level(const std::string& text) {
-  std::uint32_t level = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), level);
-  if (error != std::errc() || stop != text.data() + text.size() || level >= kMaxLevels)
-    throw UsageError("--level: '" + text + "' should be a number from 0 to " +
-                     std::to_string(kMaxLevels - 1));
-  return level;
 }
 
 }  // namespace
@@ -115,35 +106,14 @@ int main(int argc, char** argv) {
     run_rebuild(rebuild);
   });
 
-  DrawArguments draw;
-  std::string draw_level;
-  CLI::App& draw_command = add_stream_command(
-      app, "draw", "a line drawing of a level's solid, hidden lines removed", draw.stream);
-  draw_command
-      .add_option(
-          "-o,--output", draw.output,
-          "one level: a file, or - for standard output; any number of levels: a folder (files "
-          "level-00.svg, level-01.svg, ...) or a name with %d or %02d for the level")
-      ->required();
-  draw_command.add_option("--level", draw_level,
-                          "which level, or `all`: each is drawn before the next one is received; "
-                          "left out: the last one");
-  draw_command.add_option("--from", draw.from,
-                          "X,Y,Z: the direction towards the viewer, who sees +Z upwards");
-  draw_command
-      .add_option("--crease-angle", draw.crease_angle_deg,
-                  "leave out inner edges at which the faces turn by less than so many degrees")
-      ->check(CLI::Range(0.0, 180.0));
-  draw_command
-      .add_option("--format", draw.format,
-                  "svg or json; left out: as the output's extension says, or else svg")
-      ->check(CLI::IsMember({"svg", "json"}));
+  StreamOptions draw_stream;
+  CLI::App& draw_command =
+      add_stream_command(app, "draw", "line drawings of levels, hidden lines removed", draw_stream);
+  const DrawOptions draw(draw_command, draw_stream);
   ThreadsOption draw_threads(draw_command);
   draw_command.callback([&] {
     draw_threads.apply();
-    draw.all_levels = draw_level == "all";
-    if (!draw_level.empty() && !draw.all_levels) draw.stream.last_level = parse_level(draw_level);
-    run_draw(draw);
+    run_draw(draw.arguments());
   });
 
   AskArguments classify;

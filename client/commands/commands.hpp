@@ -7,6 +7,8 @@
 #include <optional>
 #include <string>
 
+#include "client/draw/page.hpp"
+#include "client/draw/view.hpp"
 #include "client/source/level_stream.hpp"
 
 namespace spoctree {
@@ -43,10 +45,19 @@ void run_rebuild(const RebuildArguments& arguments);
 struct DrawArguments {
   StreamOptions stream;
   bool all_levels = false;
-  std::string output;  ///< see level_files.hpp
-  std::string from;    ///< "X,Y,Z" towards the viewer; empty: the camera's own choice
+  std::string output;  ///< see level_files.hpp; empty: only a page of HTML
+  std::string html;    ///< a file for the page with all levels; empty: none
+  std::string format;  ///< see draw_formats.hpp; empty: as the output's extension says, or else svg
+  ViewOptions view;
+  PageOptions page;
   double crease_angle_deg = 0;
-  std::string format;  ///< "svg", "json"; empty: as the output's extension says, or else svg
+  bool with_creases = true;
+  bool with_silhouettes = true;
+  bool with_steps = true;
+  bool with_hidden_lines = false;
+  bool colour_by_kind = false;
+  bool with_data = true;
+  std::optional<double> dpi;
 };
 /// Draws T_k, or every T_k while the levels arrive.
 void run_draw(const DrawArguments& arguments);

@@ -1,75 +1,104 @@
-#include <charconv>
-#include <filesystem>
+#include <memory>
 
 #include "client/commands/commands.hpp"
+#include "client/commands/draw_formats.hpp"
 #include "client/commands/level_files.hpp"
-#include "client/draw/drawing.hpp"
-#include "client/draw/write_json.hpp"
-#include "client/draw/write_svg.hpp"
-#include "client/lines/camera.hpp"
-#include "client/lines/extent.hpp"
+#include "client/draw/write_pdf.hpp"
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/surface.hpp"
 #include "common/base/errors.hpp"
+#include "common/base/interruption.hpp"
 #include "common/program/output.hpp"
+#include "common/wire/text.hpp"
 
 namespace spoctree {
 
 namespace {
 
-Camera parse_camera(const std::string& text) {
-  if (text.empty()) return {};
-  Vec3 direction{0.0};
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto [stop, error] = std::from_chars(at, end, direction[axis]);
-    const bool is_last = axis == 2;
-    if (error != std::errc() || (is_last ? stop != end : stop == end || *stop != ','))
-      throw UsageError("--from: '" + text + "' should be three numbers X,Y,Z");
-    at = stop + (is_last ? 0 : 1);
+constexpr std::size_t kLongestTitle = 200;
+
+bool is_wanted(const VisibleLine& line, const DrawArguments& arguments) {
+  if (line.is_step && !arguments.with_steps) return false;
+  if (line.is_step && arguments.with_steps) return true;
+  return line.kind == LineKind::Crease ? arguments.with_creases : arguments.with_silhouettes;
+}
+
+/// Levels -> files, as each is drawn; or a page per level in one file, at the end.
+class DrawingFiles {
+ public:
+  explicit DrawingFiles(const DrawArguments& arguments)
+      : arguments_(arguments), format_(choose_format(arguments)) {
+    if (arguments.output.empty()) return;
+    const bool is_document = arguments.all_levels && format_ == DrawFormat::Pdf &&
+                             LevelFiles::is_one_file(arguments.output);
+    files_ = std::make_unique<LevelFiles>(arguments.output, arguments.all_levels && !is_document,
+                                          extension_of(format_));
+    if (is_document) document_ = std::make_unique<PdfWriter>();
   }
-  return Camera(direction);
-}
 
-std::string choose_format(const DrawArguments& arguments) {
-  if (!arguments.format.empty()) return arguments.format;
-  return std::filesystem::path(arguments.output).extension() == ".json" ? "json" : "svg";
-}
+  bool is_document() const { return document_ != nullptr; }
+  void add(const LevelPictures& level) {
+    if (!files_) return;
+    if (document_) {
+      document_->add_page(sheet_of(level, arguments_, format_));
+      model_ = level.model;
+    } else {
+      write_output(files_->name_of(level.level), encode(level, arguments_, format_));
+    }
+  }
+  void finish() {
+    if (document_ && document_->page_count() > 0)
+      write_output(files_->name_of(0), document_->finish(model_));
+  }
 
-std::string draw(const LevelStream& stream, const Camera& camera, double crease_angle_deg,
-                 const std::string& format) {
+ private:
+  const DrawArguments& arguments_;
+  DrawFormat format_;
+  std::unique_ptr<LevelFiles> files_;
+  std::unique_ptr<PdfWriter> document_;
+  std::string model_;
+};
+
+LevelPictures draw_level(const LevelStream& stream, const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
+  LevelPictures level;
+  level.model = clean_text(stream.model_name(), kLongestTitle);
+  level.level = stream.level();
+  level.universe = tree.universe;
   LineOptions options;
-  options.level = stream.level();
-  options.crease_angle_deg = crease_angle_deg;
-  const VisibleLines lines =
-      visible_lines(tree, rebuild_surface(tree, options.level), camera, options);
-  if (format == "json") return to_json(lines, tree.universe, options.level);
-  PageOptions page;
-  page.frame = extent_of_solid(tree, camera);
-  SvgStyle style;
-  style.title = stream.model_name() + ", level " + std::to_string(options.level);
-  return to_svg(make_drawing(lines, camera, page), style);
+  options.level = level.level;
+  options.crease_angle_deg = arguments.crease_angle_deg;
+  options.with_hidden_lines = arguments.with_hidden_lines;
+  const Surface surface = rebuild_surface(tree, level.level);
+  for (View& view : make_views(arguments.view, tree)) {
+    VisibleLines lines = visible_lines(tree, surface, view.camera, options);
+    std::erase_if(lines, [&](const VisibleLine& line) { return !is_wanted(line, arguments); });
+    level.pictures.push_back({std::move(view), std::move(lines)});
+  }
+  return level;
 }
 
 }  // namespace
 
 void run_draw(const DrawArguments& arguments) {
-  const Camera camera = parse_camera(arguments.from);
-  const std::string format = choose_format(arguments);
-  const LevelFiles files(arguments.output, arguments.all_levels, "." + format);
+  check(arguments);
+  DrawingFiles files(arguments);
   LevelStream stream(arguments.stream);
-  const auto draw_level = [&] {
+  const auto draw = [&] {
     stream.progress_line().show("drawing level " + std::to_string(stream.level()));
-    write_output(files.name_of(stream.level()),
-                 draw(stream, camera, arguments.crease_angle_deg, format));
+    files.add(draw_level(stream, arguments));
   };
-  // While a level is drawn, the next one waits in the socket.
-  while (stream.next_level()) {
-    if (arguments.all_levels) draw_level();
+  try {
+    // While a level is drawn, the next one waits in the socket.
+    while (stream.next_level()) {
+      if (arguments.all_levels) draw();
+    }
+  } catch (...) {
+    files.finish();  // what has arrived
+    throw;
   }
-  if (!arguments.all_levels) draw_level();
+  if (!arguments.all_levels) draw();
+  files.finish();
 }
 
 }  // namespace spoctree

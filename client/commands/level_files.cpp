@@ -29,7 +29,17 @@ std::optional<Placeholder> find_placeholder(const std::string& text) {
   return std::nullopt;
 }
 
+bool is_folder(const std::string& output, bool all_levels) {
+  std::error_code error;
+  return output != "-" && (output.ends_with('/') || fs::is_directory(output, error) ||
+                           (all_levels && !fs::path(output).has_extension()));
+}
+
 }  // namespace
+
+bool LevelFiles::is_one_file(const std::string& output) {
+  return !find_placeholder(output) && !is_folder(output, true);
+}
 
 LevelFiles::LevelFiles(const std::string& output, bool all_levels, const std::string& extension) {
   before_ = output;
@@ -43,11 +53,8 @@ LevelFiles::LevelFiles(const std::string& output, bool all_levels, const std::st
     }
     return;
   }
-  std::error_code error;
-  const bool is_folder =
-      output != "-" && (output.ends_with('/') || fs::is_directory(output, error) ||
-                        (all_levels && !fs::path(output).has_extension()));
-  if (is_folder) {
+  if (is_folder(output, all_levels)) {
+    std::error_code error;
     fs::create_directories(output, error);
     if (error) throw BadInput(output + ": cannot make the folder: " + error.message());
     before_ = (fs::path(output) / "level-").string();

@@ -20,6 +20,9 @@ class LevelFiles {
 
   std::string name_of(std::uint32_t level) const;
 
+  /// Whether all levels would go into one file or to standard output, for formats that can.
+  static bool is_one_file(const std::string& output);
+
  private:
   std::string before_;
   std::string after_;

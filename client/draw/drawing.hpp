@@ -1,44 +1,54 @@
-// Lines of space -> strokes on a page.
+// Strokes on a page: what every writer of a format gets.
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "client/draw/pen.hpp"
 #include "client/lines/camera.hpp"
 #include "client/lines/visible_line.hpp"
+#include "common/geometry/universe.hpp"
 
 namespace spoctree {
 
-/// What a stroke is drawn with, in drawing order.
-enum class Layer : std::uint8_t { Hidden, Crease, Silhouette };
-inline constexpr int kLayerCount = 3;
+/// The pen goes down at the first of the points and up at the last.
+struct Stroke {
+  std::uint32_t begin = 0;  ///< offsets into the group's points
+  std::uint32_t end = 0;
+  PlaneRef planes[2];  ///< of the line; only in groups that have a source
+};
 
-/// The pen goes down at the first point and up at the last.
-using Stroke = std::vector<Vec2>;
+/// Strokes that have everything in common but their planes.
+struct StrokeGroup {
+  Pen pen;
+  /// Where the tree has the lines from; nothing if nobody asked, and for letters.
+  std::optional<LineSource> source;
+  std::vector<Vec2> points;
+  std::vector<Stroke> strokes;
 
-/// A page: the origin is the upper left corner, y goes downwards.
-struct Drawing {
-  double width = 0;
-  double height = 0;
-  std::array<std::vector<Stroke>, kLayerCount> layers;
-
-  const std::vector<Stroke>& strokes(Layer layer) const {
-    return layers[static_cast<std::size_t>(layer)];
+  std::span<const Vec2> points_of(const Stroke& stroke) const {
+    return {points.data() + stroke.begin, stroke.end - stroke.begin};
   }
 };
 
-struct PageOptions {
-  /// The part of the picture that is shown. extent_of_solid gives all levels of a tree the same page,
-  /// so that their drawings can be laid side by side.
-  Rectangle frame;
-  /// The longer side of the page, margins included; in the page's units.
-  double size = 1000;
-  double margin = 20;
+/// A page. Millimetres; the origin is the upper left corner, y goes downwards.
+struct Drawing {
+  std::string title;  ///< UTF-8 without control characters
+  double width_mm = 0;
+  double height_mm = 0;
+  double scale = 1;                 ///< millimetres per model unit
+  std::vector<StrokeGroup> groups;  ///< in drawing order; those of one pen are neighbours
+  Universe universe;                ///< for the names of cell walls
 };
 
-/// Puts lines on a page. Each stroke is a run of lines that follow each other without lifting the
-/// pen; the order of the lines is kept. Throws UsageError if the frame is empty or the page has no
-/// room between its margins.
-Drawing make_drawing(const VisibleLines& lines, const Camera& camera, const PageOptions& options);
+/// What a plane is called in a drawing's data: its number in the plane table, or a cell wall as
+/// "x=12.5", in model coordinates. The same for both sides of a plane.
+std::string name_of(PlaneRef plane, const Universe& universe);
+
+/// "convex", ...; "/inherited" follows if both planes stand in upper levels.
+std::string name_of(const LineSource& source);
 
 }  // namespace spoctree

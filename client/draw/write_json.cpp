@@ -2,6 +2,9 @@
 
 #include <charconv>
 
+#include "client/draw/drawing.hpp"
+#include "common/report/json_text.hpp"
+
 namespace spoctree {
 
 namespace {
@@ -13,32 +16,79 @@ void append_number(std::string& text, double value) {
   text.append(buffer, result.ptr);
 }
 
-void append_point(std::string& text, Vec3 point) {
-  text += '[';
-  append_number(text, point.x);
+void append_vector(std::string& text, const char* name, Vec3 vector) {
+  text += '"';
+  text += name;
+  text += "\":[";
+  append_number(text, vector.x);
   text += ',';
-  append_number(text, point.y);
+  append_number(text, vector.y);
   text += ',';
-  append_number(text, point.z);
+  append_number(text, vector.z);
   text += ']';
+}
+
+void append_plane(std::string& text, PlaneRef plane, const Universe& universe) {
+  const std::string name = name_of(plane, universe);
+  text += plane.is_wall() ? quote_json(name) : name;
+}
+
+const char* truth(bool value) { return value ? "true" : "false"; }
+
+void append_view(std::string& json, const View& view, const Universe& universe) {
+  json += "{\"name\":" + quote_json(view.name) + ',';
+  append_vector(json, "toward_viewer", view.camera.toward_viewer());
+  json += ',';
+  append_vector(json, "right", view.camera.right());
+  json += ',';
+  append_vector(json, "up", view.camera.up());
+  if (view.camera.is_perspective()) {
+    json += ',';
+    append_vector(json, "eye", universe.to_model(view.camera.eye()));
+  }
+  json += '}';
+}
+
+void append_line(std::string& json, const VisibleLine& line, const Universe& universe,
+                 std::size_t view) {
+  json += '{';
+  append_vector(json, "a", universe.to_model(line.a));
+  json += ',';
+  append_vector(json, "b", universe.to_model(line.b));
+  json += line.kind == LineKind::Crease ? ",\"kind\":\"crease\"" : ",\"kind\":\"silhouette\"";
+  json += std::string(",\"hidden\":") + truth(line.hidden) + ",\"step\":" + truth(line.is_step);
+  json += ",\"planes\":[";
+  append_plane(json, line.planes[0], universe);
+  json += ',';
+  append_plane(json, line.planes[1], universe);
+  json += std::string("],\"node\":\"") + name_of(line.source.kind) +
+          "\",\"level\":" + std::to_string(line.source.level) +
+          ",\"inherited\":" + truth(line.source.is_inherited) +
+          ",\"view\":" + std::to_string(view) + '}';
 }
 
 }  // namespace
 
-std::string to_json(const VisibleLines& lines, const Universe& universe, std::uint32_t level) {
-  std::string json = "{\"level\":" + std::to_string(level) + ",\"lines\":[";
+std::string to_json(std::span<const Picture> pictures, const Universe& universe,
+                    std::string_view model, std::uint32_t level) {
+  std::string json =
+      "{\"model\":" + quote_json(model) + ",\"level\":" + std::to_string(level) + ",\"views\":[";
   const char* separator = "\n";
-  for (const VisibleLine& line : lines) {
+  for (const Picture& picture : pictures) {
     json += separator;
+    append_view(json, picture.view, universe);
     separator = ",\n";
-    json += "{\"a\":";
-    append_point(json, universe.to_model(line.a));
-    json += ",\"b\":";
-    append_point(json, universe.to_model(line.b));
-    json += line.kind == LineKind::Crease ? ",\"kind\":\"crease\"" : ",\"kind\":\"silhouette\"";
-    json += line.hidden ? ",\"hidden\":true}" : ",\"hidden\":false}";
   }
-  json += lines.empty() ? "]}\n" : "\n]}\n";
+  json += "],\n\"lines\":[";
+  separator = "\n";
+  for (std::size_t view = 0; view < pictures.size(); ++view) {
+    for (const VisibleLine& line : pictures[view].lines) {
+      json += separator;
+      append_line(json, line, universe, view);
+      separator = ",\n";
+    }
+  }
+  json += "]}\n";
   return json;
 }
 

@@ -1,43 +1,112 @@
 #include "client/draw/write_svg.hpp"
 
-#include <charconv>
-#include <cmath>
-#include <cstdint>
-#include <cstdlib>
+#include "client/draw/fixed_number.hpp"
 
 namespace spoctree {
 
 namespace {
 
-constexpr const char* kLayerNames[kLayerCount] = {"hidden", "crease", "silhouette"};
+constexpr int kDecimals = 2;
+constexpr double kStepsPerMm = 100;
 
-/// Hundredths of the page's unit.
-struct Dot {
-  std::int64_t x = 0, y = 0;
-  bool operator==(const Dot&) const = default;
-};
+std::string length(double mm) { return to_decimal(mm, kDecimals); }
 
-Dot round_to_dot(Vec2 point) { return {std::llround(point.x * 100), std::llround(point.y * 100)}; }
-
-/// Without trailing zeros.
-void append_hundredths(std::string& text, std::int64_t value) {
-  if (value < 0) text += '-';
-  const std::int64_t magnitude = std::abs(value);
-  text += std::to_string(magnitude / 100);
-  const int rest = static_cast<int>(magnitude % 100);
-  if (rest == 0) return;
-  text += '.';
-  text += static_cast<char>('0' + rest / 10);
-  if (rest % 10 != 0) text += static_cast<char>('0' + rest % 10);
+/// "12-3.5": a minus separates as well as a blank does.
+void append_pair(std::string& svg, std::int64_t x, std::int64_t y) {
+  append_decimal(svg, x, kDecimals);
+  if (y >= 0) svg += ' ';
+  append_decimal(svg, y, kDecimals);
 }
 
-std::string hundredths(double value) {
-  std::string text;
-  append_hundredths(text, std::llround(value * 100));
-  return text;
+void append_step(std::string& svg, GridPoint from, GridPoint to) {
+  const std::int64_t dx = to.x - from.x;
+  const std::int64_t dy = to.y - from.y;
+  if (dy == 0) {
+    svg += 'h';
+    append_decimal(svg, dx, kDecimals);
+  } else if (dx == 0) {
+    svg += 'v';
+    append_decimal(svg, dy, kDecimals);
+  } else {
+    svg += 'l';
+    append_pair(svg, dx, dy);
+  }
 }
 
-std::string escaped(std::string_view text) {
+/// Adds the stroke to path data; false if nothing is left of it.
+bool append_stroke(std::string& svg, std::span<const Vec2> points) {
+  GridPoint last = to_grid_point(points.front(), kStepsPerMm);
+  bool is_started = false;
+  for (const Vec2 point : points.subspan(1)) {
+    const GridPoint next = to_grid_point(point, kStepsPerMm);
+    if (next == last) continue;
+    if (!is_started) {
+      svg += 'M';
+      append_pair(svg, last.x, last.y);
+      is_started = true;
+    }
+    append_step(svg, last, next);
+    last = next;
+  }
+  return is_started;
+}
+
+void append_plain_group(std::string& svg, const StrokeGroup& group) {
+  std::string data;
+  for (const Stroke& stroke : group.strokes) {
+    if (append_stroke(data, group.points_of(stroke))) data += '\n';
+  }
+  if (data.empty()) return;
+  data.pop_back();
+  svg += "<path class=\"" + name_of(group.pen, ' ') + "\" d=\"" + data + "\"/>\n";
+}
+
+void append_group_with_data(std::string& svg, const StrokeGroup& group, const Universe& universe) {
+  std::string paths;
+  for (const Stroke& stroke : group.strokes) {
+    std::string data;
+    if (!append_stroke(data, group.points_of(stroke))) continue;
+    paths += "<path data-planes=\"" + name_of(stroke.planes[0], universe) + ' ' +
+             name_of(stroke.planes[1], universe) + "\" d=\"" + data + "\"/>\n";
+  }
+  if (paths.empty()) return;
+  svg += "<g class=\"" + name_of(group.pen, ' ') + "\" data-node=\"" + name_of(*group.source) +
+         "\" data-level=\"" + std::to_string(group.source->level) + "\">\n" + paths + "</g>\n";
+}
+
+std::string rule(const std::string& selector, const Pen& pen) {
+  return selector + "{stroke:" + to_hex(colour_of(pen)) +
+         ";stroke-width:" + to_decimal(width_mm(pen), 2) + "}\n";
+}
+
+std::string stroke_colour(const Pen& pen) { return "{stroke:" + to_hex(colour_of(pen)); }
+
+}  // namespace
+
+std::string svg_style() {
+  std::string style = "path{fill:none;stroke-linecap:round;stroke-linejoin:round}\n";
+  Pen pen;
+  style += rule(".crease,.caption", pen);
+  pen.use = PenUse::Silhouette;
+  style += rule(".silhouette", pen);
+  pen.is_step = true;
+  style += ".step" + stroke_colour(pen) + "}\n";
+  pen = {};
+  pen.hidden = true;
+  style += ".hidden" + stroke_colour(pen) + ";stroke-width:" + to_decimal(width_mm(pen), 2) +
+           ";stroke-dasharray:" + to_decimal(kDashMm, 2) + ' ' + to_decimal(kDashGapMm, 2) + "}\n";
+  pen = {};
+  for (int ink = 1; ink < kInkCount; ++ink) {
+    pen.ink = static_cast<Ink>(ink);
+    const std::string name = name_of(pen, '.');
+    style += name.substr(name.find('.')) + stroke_colour(pen);
+    const bool is_glass = pen.ink == Ink::LeftEye || pen.ink == Ink::RightEye;
+    style += is_glass ? ";mix-blend-mode:multiply}\n" : "}\n";
+  }
+  return style;
+}
+
+std::string escape_xml(std::string_view text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
@@ -50,6 +119,9 @@ std::string escaped(std::string_view text) {
       case '>':
         result += "&gt;";
         break;
+      case '"':
+        result += "&quot;";
+        break;
       default:
         // Control characters are not allowed in XML, not even escaped.
         result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
@@ -58,57 +130,23 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-void append_path(std::string& svg, const std::vector<Stroke>& strokes) {
-  for (const Stroke& stroke : strokes) {
-    bool is_started = false;
-    Dot last = round_to_dot(stroke.front());
-    for (std::size_t k = 1; k < stroke.size(); ++k) {
-      const Dot dot = round_to_dot(stroke[k]);
-      if (dot == last) continue;
-      if (!is_started) {
-        svg += "M";
-        append_hundredths(svg, last.x);
-        svg += ' ';
-        append_hundredths(svg, last.y);
-        is_started = true;
-      }
-      svg += 'L';
-      append_hundredths(svg, dot.x);
-      svg += ' ';
-      append_hundredths(svg, dot.y);
-      last = dot;
-    }
-    if (is_started) svg += '\n';
+std::string to_svg(const Drawing& drawing, const SvgOptions& options) {
+  const std::string width = length(drawing.width_mm);
+  const std::string height = length(drawing.height_mm);
+  std::string svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"";
+  if (options.is_document) svg += " width=\"" + width + "mm\" height=\"" + height + "mm\"";
+  svg += " viewBox=\"0 0 " + width + ' ' + height + "\">\n";
+  if (!drawing.title.empty()) svg += "<title>" + escape_xml(drawing.title) + "</title>\n";
+  if (options.is_document) {
+    svg += "<style>\n.paper{fill:#fff}\n" + svg_style() + "</style>\n";
+    svg += "<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
   }
-}
-
-}  // namespace
-
-std::string to_svg(const Drawing& drawing, const SvgStyle& style) {
-  const std::string width = hundredths(drawing.width);
-  const std::string height = hundredths(drawing.height);
-  std::string svg;
-  svg += R"(<svg xmlns="http://www.w3.org/2000/svg" width=")" + width + R"(" height=")" + height +
-         R"(" viewBox="0 0 )" + width + ' ' + height + "\">\n";
-  if (!style.title.empty()) svg += "<title>" + escaped(style.title) + "</title>\n";
-  svg +=
-      "<style>\n"
-      ".paper{fill:#fff}\n"
-      "path{fill:none;stroke:#000;stroke-linecap:round;stroke-linejoin:round}\n";
-  svg += "path.hidden{stroke:#888;stroke-dasharray:4 4;stroke-width:" +
-         hundredths(style.hidden_width) + "}\n";
-  svg += "path.crease{stroke-width:" + hundredths(style.crease_width) + "}\n";
-  svg += "path.silhouette{stroke-width:" + hundredths(style.silhouette_width) + "}\n";
-  svg += "</style>\n";
-  svg += "<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
-  for (int layer = 0; layer < kLayerCount; ++layer) {
-    const auto& strokes = drawing.strokes(static_cast<Layer>(layer));
-    if (strokes.empty()) continue;
-    svg += "<path class=\"";
-    svg += kLayerNames[layer];
-    svg += "\" d=\"";
-    append_path(svg, strokes);
-    svg += "\"/>\n";
+  for (const StrokeGroup& group : drawing.groups) {
+    if (group.source) {
+      append_group_with_data(svg, group, drawing.universe);
+    } else {
+      append_plain_group(svg, group);
+    }
   }
   svg += "</svg>\n";
   return svg;

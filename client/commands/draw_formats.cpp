@@ -1,0 +1,107 @@
+#include "client/commands/draw_formats.hpp"
+
+#include <filesystem>
+
+#include "client/draw/write_dxf.hpp"
+#include "client/draw/write_hpgl.hpp"
+#include "client/draw/write_json.hpp"
+#include "client/draw/write_pdf.hpp"
+#include "client/draw/write_png.hpp"
+#include "client/draw/write_svg.hpp"
+#include "common/base/errors.hpp"
+
+namespace spoctree {
+
+namespace {
+
+struct FormatName {
+  const char* name;
+  DrawFormat format;
+};
+constexpr FormatName kFormats[] = {{"svg", DrawFormat::Svg},   {"pdf", DrawFormat::Pdf},
+                                   {"png", DrawFormat::Png},   {"dxf", DrawFormat::Dxf},
+                                   {"hpgl", DrawFormat::Hpgl}, {"json", DrawFormat::Json},
+                                   {"plt", DrawFormat::Hpgl}};
+constexpr double kDefaultDpi = 200;
+
+void check_page(const DrawArguments& arguments, DrawFormat format) {
+  const bool is_png = !arguments.output.empty() && format == DrawFormat::Png;
+  if (arguments.dpi && !is_png) throw UsageError("--dpi is for PNG");
+  if (arguments.dpi && !(*arguments.dpi >= kLeastDpi && *arguments.dpi <= kLargestDpi))
+    throw UsageError("--dpi must be between 10 and 2400");
+  const bool is_json_only = format == DrawFormat::Json && arguments.html.empty();
+  if (is_json_only && (arguments.page.scale || arguments.page.paper || arguments.colour_by_kind ||
+                       !arguments.with_data))
+    throw UsageError("JSON has no page: --scale, --page, --colour-by and --bare do nothing there");
+}
+
+}  // namespace
+
+std::string extension_of(DrawFormat format) {
+  for (const FormatName& known : kFormats) {
+    if (known.format == format) return std::string(".") + known.name;
+  }
+  return "";
+}
+
+DrawFormat choose_format(const DrawArguments& arguments) {
+  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  for (const FormatName& known : kFormats) {
+    if (arguments.format == known.name) return known.format;
+    if (arguments.format.empty() && extension == std::string(".") + known.name) return known.format;
+  }
+  if (arguments.format.empty()) return DrawFormat::Svg;
+  throw UsageError("--format: '" + arguments.format +
+                   "' should be svg, pdf, png, dxf, hpgl or json");
+}
+
+void check(const DrawArguments& arguments) {
+  if (arguments.output.empty() && arguments.html.empty())
+    throw UsageError("-o or --html is required");
+  if (!arguments.html.empty() && arguments.html == arguments.output)
+    throw UsageError("-o and --html name the same file");
+  check(arguments.view);
+  const DrawFormat format = choose_format(arguments);
+  if (!(arguments.crease_angle_deg >= 0 && arguments.crease_angle_deg <= 180))
+    throw UsageError("--crease-angle must be between 0 and 180 degrees");
+  if (arguments.colour_by_kind && arguments.view.stereo == ViewOptions::Stereo::Anaglyph)
+    throw UsageError("--stereo=anaglyph needs the colours that --colour-by kind would use");
+  check_page(arguments, format);
+}
+
+Drawing sheet_of(const LevelPictures& level, const DrawArguments& arguments, DrawFormat format) {
+  SheetOptions options;
+  options.page = arguments.page;
+  options.title = level.model + ", level " + std::to_string(level.level);
+  options.colour_by_kind = arguments.colour_by_kind;
+  // A plotter wants long strokes, and has nowhere to put the data.
+  options.with_data = arguments.with_data && format != DrawFormat::Hpgl;
+  if (format == DrawFormat::Dxf && !options.page.scale && !options.page.paper) {
+    options.page.scale = 1;
+    options.page.margin_mm = 0;
+  }
+  return make_sheet(level.pictures, level.universe, options);
+}
+
+std::string encode(const LevelPictures& level, const DrawArguments& arguments, DrawFormat format) {
+  if (format == DrawFormat::Json)
+    return to_json(level.pictures, level.universe, level.model, level.level);
+  const Drawing drawing = sheet_of(level, arguments, format);
+  switch (format) {
+    case DrawFormat::Pdf: {
+      PdfWriter pdf;
+      pdf.add_page(drawing);
+      return pdf.finish(drawing.title);
+    }
+    case DrawFormat::Png:
+      return to_png(drawing, arguments.dpi.value_or(kDefaultDpi));
+    case DrawFormat::Dxf:
+      return to_dxf(drawing);
+    case DrawFormat::Hpgl:
+      return to_hpgl(drawing);
+    default:
+      return to_svg(drawing);
+  }
+}
+
+}  // namespace spoctree

@@ -1,0 +1,195 @@
+#include "client/draw/sheet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "client/draw/clip_line.hpp"
+#include "client/draw/lettering.hpp"
+#include "client/lines/arrange_lines.hpp"
+
+namespace spoctree {
+
+namespace {
+
+constexpr double kGapMm = 8;
+constexpr double kLetterMm = 3.5;
+constexpr double kCaptionMm = 7;  ///< a caption and the gap above it
+
+Vec2 size_of(const View& view) { return view.frame.upper - view.frame.lower; }
+
+/// Where each picture goes.
+class Grid {
+ public:
+  explicit Grid(std::span<const Picture> pictures) {
+    for (const Picture& picture : pictures) count_ += picture.view.is_over_last ? 0 : 1;
+    columns_ = count_ <= 3 ? count_ : static_cast<std::size_t>(std::ceil(std::sqrt(count_)));
+    widths_.resize(columns_);
+    heights_.resize((count_ + columns_ - 1) / columns_);
+    std::size_t cell = 0;
+    for (const Picture& picture : pictures) {
+      if (!picture.view.is_over_last && &picture != &pictures.front()) ++cell;
+      cells_.push_back(cell);
+      double& width = widths_[cell % columns_];
+      double& height = heights_[cell / columns_];
+      width = std::max(width, size_of(picture.view).x);
+      height = std::max(height, size_of(picture.view).y);
+      if (!picture.view.name.empty()) caption_mm_ = kCaptionMm;
+    }
+  }
+
+  PageContent content() const {
+    PageContent content;
+    for (const double width : widths_) content.pictures.x += width;
+    for (const double height : heights_) content.pictures.y += height;
+    const auto columns = static_cast<double>(columns_);
+    const auto rows = static_cast<double>(heights_.size());
+    content.rest_mm = {(columns - 1) * kGapMm, (rows - 1) * kGapMm + rows * caption_mm_};
+    return content;
+  }
+
+  /// The middle of picture `k` on the page.
+  Vec2 middle_of(std::size_t k, const PageLayout& page) const {
+    const std::size_t column = cells_[k] % columns_;
+    const std::size_t row = cells_[k] / columns_;
+    Vec2 at = page.origin_mm + Vec2{0.5 * widths_[column], 0.5 * heights_[row]} * page.mm_per_unit;
+    for (std::size_t c = 0; c < column; ++c) at.x += widths_[c] * page.mm_per_unit + kGapMm;
+    for (std::size_t r = 0; r < row; ++r)
+      at.y += heights_[r] * page.mm_per_unit + caption_mm_ + kGapMm;
+    return at;
+  }
+  double row_height(std::size_t k) const { return heights_[cells_[k] / columns_]; }
+
+ private:
+  std::size_t count_ = 0;
+  std::size_t columns_ = 0;
+  double caption_mm_ = 0;
+  std::vector<std::size_t> cells_;
+  std::vector<double> widths_;  ///< picture units
+  std::vector<double> heights_;
+};
+
+/// Groups by pen and source, in drawing order.
+class GroupCollector {
+ public:
+  StrokeGroup& group(const Pen& pen, const std::optional<LineSource>& source) {
+    const LineSource known = source.value_or(LineSource{});
+    StrokeGroup& group =
+        groups_[{pen, source.has_value(), known.level, known.kind, known.is_inherited}];
+    group.pen = pen;
+    group.source = source;
+    return group;
+  }
+  std::vector<StrokeGroup> take() {
+    std::vector<StrokeGroup> groups;
+    for (auto& [key, group] : groups_) groups.push_back(std::move(group));
+    return groups;
+  }
+
+ private:
+  std::map<std::tuple<Pen, bool, std::uint8_t, NodeKind, bool>, StrokeGroup> groups_;
+};
+
+Pen pen_of(const VisibleLine& line, Ink ink, bool colour_by_kind) {
+  Pen pen;
+  pen.hidden = line.hidden;
+  pen.use = line.kind == LineKind::Crease ? PenUse::Crease : PenUse::Silhouette;
+  pen.is_step = line.is_step;
+  pen.ink = colour_by_kind ? ink_of_kind(line.source) : ink;
+  return pen;
+}
+
+/// Lines come in pen order of their kind. Where a kind takes several pens, each needs its own.
+std::vector<std::pair<Pen, VisibleLines>> lines_by_pen(const Picture& picture,
+                                                       bool colour_by_kind) {
+  std::map<Pen, VisibleLines> by_pen;
+  std::map<std::pair<bool, PenUse>, int> pens_of_kind;
+  for (const VisibleLine& line : picture.lines) {
+    const Pen pen = pen_of(line, picture.view.ink, colour_by_kind);
+    VisibleLines& lines = by_pen[pen];
+    if (lines.empty()) ++pens_of_kind[{pen.hidden, pen.use}];
+    lines.push_back(line);
+  }
+  std::vector<std::pair<Pen, VisibleLines>> result;
+  for (auto& [pen, lines] : by_pen) {
+    if (pens_of_kind[{pen.hidden, pen.use}] > 1) lines = in_pen_order(lines, picture.view.camera);
+    result.emplace_back(pen, std::move(lines));
+  }
+  return result;
+}
+
+void add_stroke(StrokeGroup& group, std::span<const Vec2> points) {
+  Stroke stroke;
+  stroke.begin = static_cast<std::uint32_t>(group.points.size());
+  group.points.insert(group.points.end(), points.begin(), points.end());
+  stroke.end = static_cast<std::uint32_t>(group.points.size());
+  group.strokes.push_back(stroke);
+}
+
+/// From the picture to the page.
+struct Placement {
+  Vec2 picture{0.0};  ///< this point of the picture
+  Vec2 page_mm{0.0};  ///< comes here
+  double mm_per_unit = 1;
+
+  Vec2 operator()(Vec2 at) const {
+    return {page_mm.x + (at.x - picture.x) * mm_per_unit,
+            page_mm.y - (at.y - picture.y) * mm_per_unit};
+  }
+};
+
+void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
+               const Placement& on_page, bool with_data) {
+  const VisibleLine* last = nullptr;
+  for (const VisibleLine& line : lines) {
+    const auto clipped = clip_line(view.camera, view.frame, line.a, line.b);
+    if (!clipped) continue;
+    StrokeGroup& group = groups.group(pen, with_data ? std::optional(line.source) : std::nullopt);
+    const Vec2 ends[] = {on_page(clipped->a), on_page(clipped->b)};
+    if (!with_data && last != nullptr && last->b == line.a && clipped->is_whole) {
+      group.points.push_back(ends[1]);
+      ++group.strokes.back().end;
+    } else {
+      add_stroke(group, ends);
+      for (int k = 0; with_data && k < 2; ++k) group.strokes.back().planes[k] = line.planes[k];
+    }
+    last = clipped->is_whole ? &line : nullptr;
+  }
+}
+
+void add_caption(GroupCollector& groups, const std::string& name, Vec2 middle) {
+  Pen pen;
+  pen.use = PenUse::Lettering;
+  const Vec2 at{middle.x - 0.5 * lettering_width(name, kLetterMm), middle.y};
+  for (const auto& points : letter(name, at, kLetterMm))
+    add_stroke(groups.group(pen, std::nullopt), points);
+}
+
+}  // namespace
+
+Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
+                   const SheetOptions& options) {
+  const Grid grid(pictures);
+  const PageLayout page = lay_out(grid.content(), universe.scale(), options.page);
+  GroupCollector groups;
+  for (std::size_t k = 0; k < pictures.size(); ++k) {
+    const View& view = pictures[k].view;
+    const Vec2 middle = grid.middle_of(k, page);
+    const Placement on_page{0.5 * (view.frame.lower + view.frame.upper), middle, page.mm_per_unit};
+    for (const auto& [pen, lines] : lines_by_pen(pictures[k], options.colour_by_kind))
+      add_lines(groups, pen, lines, view, on_page, options.with_data);
+    const double below = 0.5 * grid.row_height(k) * page.mm_per_unit + kCaptionMm;
+    add_caption(groups, view.name, middle + Vec2{0, below});
+  }
+  Drawing drawing;
+  drawing.title = options.title;
+  drawing.width_mm = page.width_mm;
+  drawing.height_mm = page.height_mm;
+  drawing.scale = page.mm_per_unit / universe.scale();
+  drawing.groups = groups.take();
+  drawing.universe = universe;
+  return drawing;
+}
+
+}  // namespace spoctree
