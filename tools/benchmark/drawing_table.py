@@ -7,8 +7,8 @@ def cpu_ms(part):
     return lambda row: row["parts"][part]["cpu_time"]
 
 
-def ratio(part, to="draw"):
-    return lambda row: cpu_ms(part)(row) / cpu_ms(to)(row)
+def ratio(part):
+    return lambda row: cpu_ms(part)(row) / cpu_ms("draw")(row)
 
 
 COLUMNS = (
@@ -18,15 +18,14 @@ COLUMNS = (
     Column("pieces ms", cpu_ms("line-scene"), cpu_ms("line-scene")),
     Column("draw ms", cpu_ms("draw"), cpu_ms("draw")),
     Column("front ms", cpu_ms("draw-front"), cpu_ms("draw-front")),
-    Column("x draw", ratio("draw-front")),
+    Column("front/draw", ratio("draw-front")),
     Column("perspective ms", cpu_ms("draw-perspective"), cpu_ms("draw-perspective")),
-    Column("x draw", ratio("draw-perspective")),
     Column("hidden ms", cpu_ms("draw-behind-plate"), cpu_ms("draw-behind-plate")),
-    Column("x draw", ratio("draw-behind-plate")),
+    Column("hidden/draw", ratio("draw-behind-plate")),
     Column("OCCT poly ms", cpu_ms("draw-occt-poly"), cpu_ms("draw-occt-poly")),
-    Column("x draw", ratio("draw-occt-poly")),
+    Column("poly/draw", ratio("draw-occt-poly")),
     Column("OCCT exact ms", cpu_ms("draw-occt-exact"), cpu_ms("draw-occt-exact")),
-    Column("x draw", ratio("draw-occt-exact")),
+    Column("exact/draw", ratio("draw-occt-exact")),
     Column("OCCT lines", lambda row: row["parts"]["draw-occt-poly"]["lines"]),
 )
 

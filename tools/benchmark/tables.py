@@ -38,12 +38,12 @@ def exponent(faces, values):
 
 
 def number(value, digits=3):
-    """Three digits that count, thousands set apart."""
+    """Three digits that count, thousands set apart; counts in full."""
     if value is None:
         return ""
-    if value >= 100:
+    if value >= 100 or value == int(value):
         return f"{value:,.0f}"
-    return f"{value:.{max(0, digits - 1 - math.floor(math.log10(value)))}f}" if value > 0 else "0"
+    return f"{value:.{max(0, digits - 1 - math.floor(math.log10(value)))}f}"
 
 
 def growth(rows, column):
