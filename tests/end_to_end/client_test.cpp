@@ -186,6 +186,88 @@ TEST_F(Client, NamesDrawingsAfterAPattern) {
   }
 }
 
+TEST_F(Client, WritesEveryFormatToStandardOutputAsToAFile) {
+  const std::string spo = piece();
+  for (const auto& [format, beginning] :
+       std::vector<std::pair<std::string, std::string>>{{"svg", "<svg "},
+                                                        {"pdf", "%PDF-1.5\n"},
+                                                        {"png", "\x89PNG\r\n"},
+                                                        {"dxf", "999\npiece, level "},
+                                                        {"hpgl", "IN;\nSP"},
+                                                        {"json", "{\"model\":\"piece\","}}) {
+    const std::string file = folder_.file("drawing." + format);
+    ASSERT_EQ(run_client({"draw", spo, "-o", file}).code, 0) << format;
+    const Outcome outcome = run_client({"draw", spo, "-o", "-", "--format", format});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, read_file(file)) << format;
+    EXPECT_EQ(outcome.out.substr(0, beginning.size()), beginning) << format;
+  }
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+    ++found;
+  return found;
+}
+
+TEST_F(Client, DrawsAllLevelsIntoOnePdf) {
+  const Outcome outcome =
+      run_client({"draw", piece(), "--level", "all", "-o", folder_.file("all.pdf")});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const std::string pdf = read_file(folder_.file("all.pdf"));
+  EXPECT_EQ(count(pdf, "/Type/Page/"), last_ + 1);
+  EXPECT_EQ(count(pdf, "/Dest["), last_ + 1);
+  // A name with a place for the level still means a file per level.
+  EXPECT_EQ(run_client({"draw", piece(), "--level", "all", "-o", folder_.file("t%d.pdf")}).code, 0);
+  EXPECT_EQ(count(read_file(folder_.file("t1.pdf")), "/Type/Page/"), 1U);
+}
+
+TEST_F(Client, APdfOfABrokenTransmissionHasTheLevelsThatArrived) {
+  FakeServer server([&](Socket socket) {
+    receive_request(socket);
+    socket.send(file_.frames().substr(0, file_.level_bytes()[1].total_bytes + 10));
+  });
+  const std::string output = folder_.file("part.pdf");
+  const Outcome outcome = run_client({"draw", server.url(), "--level", "all", "-o", output});
+  EXPECT_EQ(outcome.code, 4);
+  expect_one_complaint(outcome, "spoctree-client");
+  EXPECT_EQ(count(read_file(output), "/Type/Page/"), 2U);
+}
+
+TEST_F(Client, DrawsAFrontViewAtTrueScale) {
+  // The piece is 120 wide and 78 high; margins of 5 mm all around.
+  const Outcome outcome =
+      run_client({"draw", piece(), "--view", "front", "--scale", "1:2", "-o", "-"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"70mm\" "
+                             "height=\"49mm\""),
+            std::string::npos)
+      << outcome.out.substr(0, 200);
+}
+
+TEST_F(Client, DrawsSheetsPairsAndPerspectives) {
+  const std::string spo = piece();
+  const auto json_of = [&](const Arguments& options) {
+    Arguments arguments = {"draw", spo, "-o", "-", "--format", "json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_client(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out;
+  };
+  EXPECT_EQ(count(json_of({"--view", "front,top,iso"}), "\"toward_viewer\""), 3U);
+  EXPECT_EQ(count(json_of({"--stereo", "--eye", "0,-300,100"}), "\"eye\""), 2U);
+  const std::string anaglyph =
+      run_client({"draw", spo, "-o", "-", "--stereo=anaglyph", "--from", "1,-2,1"}).out;
+  EXPECT_NE(anaglyph.find("class=\"crease left-eye\""), std::string::npos);
+  EXPECT_NE(anaglyph.find("class=\"crease right-eye\""), std::string::npos);
+  EXPECT_NE(json_of({"--hidden", "dashed"}).find("\"hidden\":true"), std::string::npos);
+  EXPECT_EQ(json_of({"--lines", "silhouette"})
+                .find("\"kind\":\"crease\",\"hidden\":false,"
+                      "\"step\":false"),
+            std::string::npos);
+}
+
 TEST_F(Client, RebuildsAMeshThatTheServerReads) {
   const Outcome outcome = run_client({"rebuild", piece(), "-o", folder_.file("rebuilt.off")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -313,6 +395,27 @@ TEST_F(Client, HasAnExitCodeForEveryFailure) {
                          {{"draw", spo, "-o", out, "--from", "0,0,0"}, 2},
                          {{"draw", spo, "-o", out, "--crease-angle", "200"}, 2},
                          {{"draw", spo, "-o", out, "--format", "bmp"}, 2},
+                         {{"draw", spo, "-o", out, "--crease-angle", "nan"}, 2},
+                         {{"draw", spo, "-o", out, "--view", "front,side"}, 2},
+                         {{"draw", spo, "-o", out, "--view", "front", "--from", "1,0,0"}, 2},
+                         {{"draw", spo, "-o", out, "--from", "1,0,0", "--eye", "9,9,9"}, 2},
+                         {{"draw", spo, "-o", out, "--target", "1,0,0"}, 2},
+                         {{"draw", spo, "-o", out, "--fov", "60"}, 2},
+                         {{"draw", spo, "-o", out, "--eye", "0,-300,inf"}, 2},
+                         {{"draw", spo, "-o", out, "--eye", "0,-300,0", "--fov", "wide"}, 2},
+                         {{"draw", spo, "-o", out, "--stereo=cross"}, 2},
+                         {{"draw", spo, "-o", out, "--stereo", "--view", "top,iso"}, 2},
+                         {{"draw", spo, "-o", out, "--stereo", "--eye-separation", "0"}, 2},
+                         {{"draw", spo, "-o", out, "--eye-separation", "0.1"}, 2},
+                         {{"draw", spo, "-o", out, "--scale", "1:0"}, 2},
+                         {{"draw", spo, "-o", out, "--scale", "100", "--page", "A4"}, 2},
+                         {{"draw", spo, "-o", out, "--page", "letter"}, 2},
+                         {{"draw", spo, "-o", out, "--dpi", "100"}, 2},
+                         {{"draw", spo, "-o", out, "--lines", "silhouette,"}, 2},
+                         {{"draw", spo, "-o", out, "--hidden", "grey"}, 2},
+                         {{"draw", spo, "-o", out, "--colour-by", "level"}, 2},
+                         {{"draw", spo, "-o", "-", "--format", "json", "--scale", "2"}, 2},
+                         {{"draw", spo, "-o", "-", "--format", "png", "--dpi", "5"}, 2},
                          {{"levels", spo, "--json", "--csv"}, 2},
                          {{"levels", spo, "--rate", "0"}, 2},
                          {{"levels", "http://127.0.0.1/x"}, 2},
