@@ -7,8 +7,9 @@
 namespace spoctree {
 
 /// Joins lines of one kind that continue each other straight on into one line. Joints stand off the
-/// result by less than `tolerance` (universe units). O(n log n).
-VisibleLines join_lines(const VisibleLines& lines, double tolerance);
+/// result by less than `tolerance` (universe units). Lines from different sources are not joined if
+/// `keeps_sources`. O(n log n).
+VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_sources = false);
 
 /// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only the
 /// nearest; a visible line goes before a hidden one. O(n) if lines are spread over the picture.

@@ -8,7 +8,13 @@ namespace spoctree {
 
 namespace {
 
-/// A face plane as `open_sides` needs it.
+/// The two sides of a line in the picture, looking along it; a set of them.
+using LineSides = std::uint8_t;
+constexpr LineSides kNeitherSide = 0;
+constexpr LineSides kLeftSide = 1;
+constexpr LineSides kRightSide = 2;
+
+/// A face plane as `may_be_seen` needs it.
 struct Wing {
   Vec3 normal{0.0};
   int facing = 0;
@@ -67,20 +73,28 @@ LineSides open_sides_of_many(std::span<const Wing> wings, Vec3 direction, Vec3 t
 
 }  // namespace
 
-LineSides open_sides(const Crease& crease, const Creases& creases, const PlaneSet& planes,
-                     const Camera& camera) {
+bool may_be_seen(const Crease& crease, const Creases& creases, const PlaneSet& planes,
+                 const Camera& camera) {
   constexpr std::size_t kMostWings = 16;
   Wing wings[kMostWings];
   std::size_t count = 0;
   for (const CreaseSide& side : creases.sides_of(crease)) {
-    if (count == kMostWings) return kBothSides;  // more faces than any boundary has: rather drawn
+    if (count == kMostWings) return true;  // more faces than any boundary has: rather drawn
     const Plane plane = planes[side.plane];
     wings[count++] = {plane.normal, camera.facing(plane), side.runs_forward};
   }
+  if (count == 2) {
+    // Where no face is seen edge-on, angles are not needed.
+    if (wings[0].facing > 0 && wings[1].facing > 0) return true;
+    if (wings[0].facing < 0 && wings[1].facing < 0) return false;
+  }
   const Vec3 direction = glm::normalize(crease.b - crease.a);
-  const Vec3 left = glm::cross(camera.toward_viewer(), direction);
-  if (count == 2) return open_sides_of_two(wings[0], wings[1], direction, left);
-  return open_sides_of_many({wings, count}, direction, camera.toward_viewer());
+  const Vec3 toward_viewer = camera.toward_viewer_from(0.5 * (crease.a + crease.b));
+  if (count == 2) {
+    const Vec3 left = glm::cross(toward_viewer, direction);
+    return open_sides_of_two(wings[0], wings[1], direction, left) != kNeitherSide;
+  }
+  return open_sides_of_many({wings, count}, direction, toward_viewer) != kNeitherSide;
 }
 
 bool is_silhouette(const Crease& crease, const Creases& creases, const PlaneSet& planes,

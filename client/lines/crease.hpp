@@ -32,18 +32,10 @@ struct Creases {
   }
 };
 
-/// The two sides of a line in the picture, looking along it; a set of them.
-using LineSides = std::uint8_t;
-inline constexpr LineSides kNeitherSide = 0;
-inline constexpr LineSides kLeftSide = 1;
-inline constexpr LineSides kRightSide = 2;
-inline constexpr LineSides kBothSides = kLeftSide | kRightSide;
-
-/// On which sides of the crease (in the picture, from a to b) the line of sight that passes beside
-/// it, infinitely near, does not enter the crease's own material in front of it. Both or neither,
-/// unless a face is seen edge-on. If neither, the crease is hidden by its own material.
-LineSides open_sides(const Crease& crease, const Creases& creases, const PlaneSet& planes,
-                     const Camera& camera);
+/// False if the crease is hidden by its own material: on neither side, the line of sight that
+/// passes beside it, infinitely near, comes to it without entering that.
+bool may_be_seen(const Crease& crease, const Creases& creases, const PlaneSet& planes,
+                 const Camera& camera);
 
 /// True if some of the crease's faces face the viewer and others do not: an outline, at least of
 /// what lies nearby. A face seen edge-on does not face the viewer.

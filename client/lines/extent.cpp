@@ -1,6 +1,8 @@
 #include "client/lines/extent.hpp"
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "common/tree/pieces.hpp"
 
@@ -13,6 +15,10 @@ class ExtentFinder : public PieceVisitor {
   explicit ExtentFinder(const Camera& camera) : camera_(camera) {}
 
   void add(Vec3 point) {
+    if (camera_.depth(point) < camera_.least_depth()) {
+      is_in_front_ = false;
+      return;
+    }
     const Vec2 at = camera_.project(point);
     extent_.lower = glm::min(extent_.lower, at);
     extent_.upper = glm::max(extent_.upper, at);
@@ -22,11 +28,13 @@ class ExtentFinder : public PieceVisitor {
   }
 
   bool is_empty() const { return extent_.lower.x > extent_.upper.x; }
+  bool is_in_front() const { return is_in_front_; }
   const Rectangle& extent() const { return extent_; }
 
  private:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const Camera& camera_;
+  bool is_in_front_ = true;
   Rectangle extent_{{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
 };
 
@@ -41,7 +49,12 @@ Rectangle extent_of_universe(const Universe& universe, const Camera& camera) {
     }
     finder.add(point);
   }
-  return finder.extent();
+  return finder.is_in_front() ? finder.extent() : widest_frame(camera);
+}
+
+Rectangle widest_frame(const Camera& camera) {
+  const double half = camera.focal_length() * std::tan(85 * std::numbers::pi / 180);
+  return {{-half, -half}, {half, half}};
 }
 
 Rectangle extent_of_solid(const Octree& tree, const Camera& camera) {
@@ -49,7 +62,8 @@ Rectangle extent_of_solid(const Octree& tree, const Camera& camera) {
   WalkOptions options;
   options.level = 0;
   walk_pieces(tree, options, finder);
-  return finder.is_empty() ? extent_of_universe(tree.universe, camera) : finder.extent();
+  return finder.is_empty() || !finder.is_in_front() ? extent_of_universe(tree.universe, camera)
+                                                    : finder.extent();
 }
 
 }  // namespace spoctree

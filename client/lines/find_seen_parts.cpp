@@ -3,223 +3,285 @@
 #include <algorithm>
 #include <cmath>
 
-#include "client/lines/covered_region.hpp"
-#include "client/lines/extent.hpp"
+#include "client/lines/covered_picture.hpp"
 #include "client/lines/outline.hpp"
+#include "client/lines/view.hpp"
+#include "common/geometry/predicates.hpp"
 #include "common/geometry/tolerances.hpp"
-#include "common/tree/pieces.hpp"
+#include "common/tree/expression.hpp"
 
 namespace spoctree {
 
 namespace {
 
-/// Walks the tree from front to back and collects the parts of creases that can be seen.
-class Looker : public PieceVisitor {
- public:
-  Looker(const Octree& tree, const Creases& creases, std::vector<CreasePart> open,
-         const Camera& camera, double unit, CoveredRegion& covered)
-      : creases_(creases),
-        camera_(camera),
-        tolerance_(kPictureTolerance * unit),
-        reach_(kCreaseTolerance * unit),
-        sweep_(kCreaseDepthTolerance * unit),
-        planes_(tree.plane_set()),
-        outlines_(planes_, tree.planes.size(), camera, tolerance_),
-        pool_(creases.creases, std::move(open), reach_),
-        covered_(covered) {}
+/// About so many tiles that a leaf on the boundary covers some of them whole.
+std::uint32_t tiles_per_side(const LineScene& scene) {
+  const double wanted = std::sqrt(static_cast<double>(scene.pieces().leaf_count()));
+  return static_cast<std::uint32_t>(std::clamp(wanted, 16.0, 2048.0));
+}
 
-  bool enter(const NodeAddress& address, NodeKind, const Polyhedron& region) override {
-    if (pool_.is_empty()) return false;
-    if (covered_.is_full(extent_of(region))) {
-      // What can be seen of it lies behind full tiles; so do the creases on it.
-      if (!pool_.frame_is_empty()) {
-        taken_.clear();
-        half_spaces_.clear();
-        for (const Polyhedron::Face& face : region.faces) {
-          half_spaces_.push_back(planes_[face.plane]);
-        }
-        pool_.take(half_spaces_, taken_);
-      }
-      return false;
+class Looker {
+ public:
+  Looker(const LineScene& scene, const std::vector<bool>& is_wanted, const Camera& camera,
+         const Rectangle& frame)
+      : scene_(scene),
+        tree_(scene.tree()),
+        planes_(tree_.plane_set()),
+        camera_(camera),
+        viewpoint_(camera.viewpoint()),
+        is_wanted_(is_wanted),
+        reach_(kCreaseTolerance * scene.diagonal()),
+        tolerance_(kPictureTolerance * scene.diagonal()),
+        covered_(frame, tiles_per_side(scene), tolerance_) {
+    const auto& creases = scene.creases().creases;
+    projected_.resize(creases.size());
+    for (std::size_t k = 0; k < creases.size(); ++k) {
+      if (is_wanted[k]) projected_[k] = project(creases[k], camera);
     }
-    half_spaces_.clear();
-    for (int axis = 0; axis < 3; ++axis) {
-      const std::uint32_t lower = address.lower[axis];
-      half_spaces_.push_back(swept(PlaneRef::of_wall(axis, lower).flipped()));
-      half_spaces_.push_back(swept(PlaneRef::of_wall(axis, lower + address.size())));
-    }
-    pool_.open_frame(half_spaces_);
-    return true;
   }
 
-  void piece(const NodeAddress&, NodeKind, std::uint32_t, const Polyhedron& piece) override {
-    outlines_.find(piece, outline_);
-    if (!pool_.frame_is_empty()) {
-      taken_.clear();
-      find_swept_half_spaces(piece);
-      pool_.take(half_spaces_, taken_);
-      for (const CreasePart& part : taken_) look_at(part, piece);
+  std::vector<CreasePart> run() {
+    visit({});
+    return std::move(seen_);
+  }
+
+ private:
+  double wall(std::uint32_t index) const { return wall_coordinate(planes_.half_side(), index); }
+
+  /// Exact: one wrong order next to a viewer in a plane could hide anything behind it.
+  bool viewer_is_outside(const Plane& plane) const {
+    return side_of_any_point({plane.normal, plane.offset * viewpoint_.w}, viewpoint_.xyz) > 0;
+  }
+
+  void visit(const NodeAddress& node) {
+    const Level& level = tree_.levels[node.level];
+    const NodeKind kind = level.kinds[node.index];
+    const bool is_leaf = kind != NodeKind::Grey || node.level == scene_.level();
+    const LeafPieces* const pieces = is_leaf ? scene_.pieces().find(node) : nullptr;
+    std::span<const CreasePart> parts;
+    if (is_leaf) {
+      parts = scene_.parts().of(node);
+      if (pieces == nullptr && parts.empty()) return;
     }
+    const Vec3 lower{wall(node.lower[0]), wall(node.lower[1]), wall(node.lower[2])};
+    const double side = wall(node.lower[0] + node.size()) - lower.x;
+    const auto extent = extent_of_cube(lower, side, camera_);
+    if (extent && covered_.is_full(*extent)) return;
+    if (is_leaf) {
+      look_at_leaf(node, kind, pieces, parts, lower, side);
+      return;
+    }
+    std::uint32_t nearest = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double middle = wall(node.lower[axis] + node.size() / 2);
+      if (viewpoint_.xyz[axis] > viewpoint_.w * middle)
+        nearest |= 1u << static_cast<unsigned>(axis);
+    }
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      visit(node.child(level.first_child[node.index], i ^ nearest));
+    }
+  }
+
+  void look_at_leaf(const NodeAddress& node, NodeKind kind, const LeafPieces* pieces,
+                    std::span<const CreasePart> parts, Vec3 lower, double side) {
+    waiting_.clear();
+    for (const CreasePart& part : parts) {
+      if (!is_wanted_[part.crease]) continue;
+      if (pieces == nullptr || is_on_near_wall(part, lower, side)) {
+        look_at(part);
+      } else {
+        waiting_.push_back(part);
+      }
+    }
+    if (pieces == nullptr) return;
+    later_.clear();
+    if (!waiting_.empty()) divide_by_bounds(*pieces);
+    // What divide_by_bounds has put off is looked at last: it is not in use by then.
+    if (kind == NodeKind::Concave || kind == NodeKind::Vertex) {
+      walk_expression(node, kind, *pieces);
+    } else {
+      // What is waiting still lies within the piece, or behind it.
+      cover(pieces->is_whole_cube ? cube_corners(lower, side)
+                                  : scene_.pieces().corners(*pieces, 0));
+    }
+    for (const CreasePart& part : later_) look_at(part);
+  }
+
+  std::span<const Vec3> cube_corners(Vec3 lower, double side) {
+    for (unsigned corner = 0; corner < 8; ++corner) {
+      cube_[corner] = lower + side * Vec3{corner & 1, corner >> 1 & 1, corner >> 2};
+    }
+    return cube_;
+  }
+
+  Vec3 at(const CreasePart& part, double t) const {
+    const Crease& crease = scene_.creases().creases[part.crease];
+    return crease.a + t * (crease.b - crease.a);
+  }
+
+  /// The cell on the viewer's side of the wall has come before. There is none beyond the universe's
+  /// walls; those count if they are seen edge-on, too: nothing out there hides anything.
+  bool is_on_near_wall(const CreasePart& part, Vec3 lower, double side) const {
+    const Vec3 begin = at(part, part.interval.begin);
+    const Vec3 end = at(part, part.interval.end);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double upper = lower[axis] + side;
+      const double viewer = viewpoint_.xyz[axis];
+      const double above = viewer - viewpoint_.w * upper;
+      const double below = viewpoint_.w * lower[axis] - viewer;
+      const bool upper_is_near = above > 0 || (above == 0 && upper == planes_.half_side());
+      const bool lower_is_near = below > 0 || (below == 0 && lower[axis] == -planes_.half_side());
+      if ((upper_is_near && std::min(begin[axis], end[axis]) > upper - reach_) ||
+          (lower_is_near && std::max(begin[axis], end[axis]) < lower[axis] + reach_)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Divides a part where it crosses { plane = threshold }.
+  template <class Visit>
+  void divide(const CreasePart& part, const Plane& plane, double threshold, Visit&& visit) const {
+    const auto value = [&](double t) {
+      return glm::dot(plane.normal, at(part, t)) - plane.offset - threshold;
+    };
+    const double at_begin = value(part.interval.begin);
+    const double at_end = value(part.interval.end);
+    if ((at_begin > 0) == (at_end > 0)) {
+      visit(part, at_begin > 0);
+      return;
+    }
+    const double border = part.interval.begin + (part.interval.end - part.interval.begin) *
+                                                    (at_begin / (at_begin - at_end));
+    visit({part.crease, {part.interval.begin, border}}, at_begin > 0);
+    visit({part.crease, {border, part.interval.end}}, at_end > 0);
+  }
+
+  /// Planes that bound all pieces of a leaf. What is on the viewer's side of one that faces the
+  /// viewer is looked at at once; what is beyond one that does not, when the leaf is done.
+  void divide_by_bounds(const LeafPieces& pieces) {
+    const auto bounds = scene_.pieces().bounds(pieces);
+    for (const bool faces_viewer : {true, false}) {
+      for (const std::uint32_t bound : bounds) {
+        const Plane& plane = tree_.planes[bound];
+        if ((camera_.facing(plane) >= 0) != faces_viewer || waiting_.empty()) continue;
+        divided_.clear();
+        for (const CreasePart& whole : waiting_) {
+          divide(whole, plane, faces_viewer ? -reach_ : reach_,
+                 [&](const CreasePart& part, bool is_beyond) {
+                   if (!is_beyond) {
+                     divided_.push_back(part);
+                   } else if (faces_viewer) {
+                     look_at(part);
+                   } else {
+                     later_.push_back(part);
+                   }
+                 });
+        }
+        std::swap(waiting_, divided_);
+      }
+    }
+  }
+
+  /// A stack of its own instead of recursion: there are as many splits within each other as the
+  /// node has planes.
+  void walk_expression(const NodeAddress& node, NodeKind kind, const LeafPieces& pieces) {
+    const Level& level = tree_.levels[node.level];
+    const auto own = level.planes_of(node.index);
+    std::span<const std::uint32_t> tokens = level.expression_of(node.index);
+    if (kind == NodeKind::Concave) {
+      union_of(static_cast<std::uint32_t>(own.size()), union_);
+      tokens = union_;
+    }
+    find_ends(tokens, ends_);
+    number_in_cells(tokens, in_cells_);
+    // The parts of the cells that are still to come; those of the nearest cell last.
+    std::swap(parts_, waiting_);
+    cells_.assign(1, {0, 0});
+    while (!cells_.empty()) {
+      const Cell cell = cells_.back();
+      cells_.pop_back();
+      const std::uint32_t token = tokens[cell.token];
+      if (token < kFirstPlaneToken) {
+        if (token == kInToken) {
+          cover(scene_.pieces().corners(pieces, in_cells_[cell.token]));
+        } else {
+          for (std::size_t k = cell.first_part; k < parts_.size(); ++k) look_at(parts_[k]);
+        }
+        parts_.resize(cell.first_part);
+        continue;
+      }
+      const Plane& plane = tree_.planes[own[token - kFirstPlaneToken]];
+      const bool outside_is_near = viewer_is_outside(plane);
+      near_.clear();
+      far_.clear();
+      for (std::size_t k = cell.first_part; k < parts_.size(); ++k) {
+        divide(parts_[k], plane, outside_is_near ? -reach_ : reach_,
+               [&](const CreasePart& part, bool is_beyond) {
+                 (is_beyond == outside_is_near ? near_ : far_).push_back(part);
+               });
+      }
+      parts_.resize(cell.first_part);
+      parts_.insert(parts_.end(), far_.begin(), far_.end());
+      const std::uint32_t inside = cell.token + 1;
+      const std::uint32_t outside = ends_[inside];
+      cells_.push_back({outside_is_near ? inside : outside, cell.first_part});
+      cells_.push_back({outside_is_near ? outside : inside, parts_.size()});
+      parts_.insert(parts_.end(), near_.begin(), near_.end());
+    }
+  }
+
+  void cover(std::span<const Vec3> corners) {
+    project(corners, camera_, points_);
+    if (points_.size() < 3) return;
+    find_outline(points_, 0.5 * tolerance_, outline_);
     covered_.cover(outline_);
   }
 
-  void leave(const NodeAddress&) override { pool_.close_frame(); }
-
-  std::vector<CreasePart> take_seen() { return std::move(seen_); }
-
- private:
-  Rectangle extent_of(const Polyhedron& region) const {
-    const Vec2 first = camera_.project(region.vertices.front().position);
-    Rectangle extent{first, first};
-    for (const PolyhedronVertex& vertex : region.vertices) {
-      const Vec2 at = camera_.project(vertex.position);
-      extent.lower = glm::min(extent.lower, at);
-      extent.upper = glm::max(extent.upper, at);
-    }
-    return extent;
-  }
-
-  /// The piece swept as `swept` says: its faces, then what lies under its outline, edge by edge
-  /// (for the half-spaces of the faces grow aside, too).
-  void find_swept_half_spaces(const Polyhedron& piece) {
-    half_spaces_.clear();
-    for (const Polyhedron::Face& face : piece.faces) half_spaces_.push_back(swept(face.plane));
-    for (std::size_t k = 0; k < outline_.size(); ++k) {
-      const Vec2 from = outline_[k];
-      const Vec2 along = outline_[k + 1 == outline_.size() ? 0 : k + 1] - from;
-      const Vec2 outwards = Vec2{along.y, -along.x} / glm::length(along);
-      half_spaces_.push_back(
-          {outwards.x * camera_.right() + outwards.y * camera_.up(), glm::dot(outwards, from)});
+  void look_at(const CreasePart& part) {
+    const ProjectedCrease& crease = projected_[part.crease];
+    const double begin = std::max(part.interval.begin, crease.range.begin);
+    const double end = std::min(part.interval.end, crease.range.end);
+    if (!(begin < end)) return;
+    uncovered_.clear();
+    covered_.find_uncovered(crease.a, crease.b, {crease.to_picture(begin), crease.to_picture(end)},
+                            uncovered_);
+    for (const Interval& interval : uncovered_) {
+      seen_.push_back(
+          {part.crease, {crease.to_crease(interval.begin), crease.to_crease(interval.end)}});
     }
   }
 
-  /// The half-space swept a little away from the viewer. A crease close behind a piece, and in the
-  /// picture on its outline, is the piece's own up to rounding: faces that are almost seen edge-on
-  /// make much depth of little breadth.
-  Plane swept(PlaneRef ref) const {
-    Plane plane = planes_[ref];
-    plane.offset += sweep_ * std::max(0.0, -glm::dot(plane.normal, camera_.toward_viewer()));
-    return plane;
-  }
+  struct Cell {
+    std::uint32_t token;
+    std::size_t first_part;
+  };
 
-  /// Judges a part of a crease that `piece`, whose outline is `outline_`, is the first to touch.
-  /// What can hide the piece is in the covered region by now, and nothing behind the piece is;
-  /// beside the crease, that is so where the outline extends. On a side where it does not (the
-  /// piece ends there, or is seen edge-on), the next piece that touches the part will judge. If
-  /// none does, a nearer crease makes the same line in the picture.
-  void look_at(const CreasePart& part, const Polyhedron& piece) {
-    const Crease& crease = creases_.creases[part.crease];
-    const Vec2 origin = camera_.project(crease.a);
-    const Vec2 step = camera_.project(crease.b) - origin;
-    auto judged = static_cast<LineSides>(part.sides & sides_of_outline(origin, step));
-    const auto open = static_cast<LineSides>(part.sides & ~judged);
-    judged = static_cast<LineSides>(judged & ~sides_blocked_by(piece, part));
-    if (judged == kNeitherSide) {
-      if (open != kNeitherSide) pool_.put_back({part.crease, open, part.interval});
-      return;
-    }
-    parts_.clear();
-    covered_.uncovered_parts(origin, step, part.interval, judged, parts_);
-    for (const Interval& interval : parts_) seen_.push_back({part.crease, judged, interval});
-    if (open == kNeitherSide) return;
-    // Only what the covered region ends at: what it covers on both sides stays hidden.
-    hidden_.clear();
-    append_rest(part.interval, parts_, hidden_);
-    for (const Interval& hidden : hidden_) {
-      parts_.clear();
-      covered_.uncovered_parts(origin, step, hidden, open, parts_);
-      for (const Interval& interval : parts_) pool_.put_back({part.crease, open, interval});
-    }
-  }
-
-  /// The sides of a line of the picture on which the outline extends.
-  LineSides sides_of_outline(Vec2 origin, Vec2 step) const {
-    const Vec2 left = Vec2{-step.y, step.x} / glm::length(step);
-    LineSides sides = kNeitherSide;
-    for (const Vec2 corner : outline_) {
-      const double distance = glm::dot(left, corner - origin);
-      if (distance > tolerance_) sides |= kLeftSide;
-      if (distance < -tolerance_) sides |= kRightSide;
-    }
-    return sides;
-  }
-
-  /// The sides beside which the line of sight enters the piece itself: all of the piece's faces
-  /// that the part lies on look away. REQUIRES: find_swept_half_spaces(piece) (that
-  /// those of faces that look away are swept does not matter).
-  LineSides sides_blocked_by(const Polyhedron& piece, const CreasePart& part) const {
-    const Crease& crease = creases_.creases[part.crease];
-    const Vec3 along = crease.b - crease.a;
-    const Vec3 begin = crease.a + part.interval.begin * along;
-    const Vec3 end = crease.a + part.interval.end * along;
-    const Vec3 left = glm::cross(camera_.toward_viewer(), along);
-    LineSides blocked = kBothSides;
-    for (std::size_t k = 0; k < piece.faces.size() && blocked != kNeitherSide; ++k) {
-      const Plane& plane = half_spaces_[k];
-      const double depth =
-          plane.offset - std::min(glm::dot(plane.normal, begin), glm::dot(plane.normal, end));
-      if (depth > 2 * reach_) continue;  // the part does not lie on this face
-      const int facing = outlines_.facing(piece.faces[k].plane);
-      if (facing > 0) return kNeitherSide;
-      if (facing == 0) blocked &= glm::dot(plane.normal, left) > 0 ? kRightSide : kLeftSide;
-    }
-    return blocked;
-  }
-
-  /// The parts of `whole` that are in none of `parts`, which are sorted by that.
-  static void append_rest(Interval whole, std::vector<Interval>& parts,
-                          std::vector<Interval>& rest) {
-    std::sort(parts.begin(), parts.end(),
-              [](const Interval& p, const Interval& q) { return p.begin < q.begin; });
-    double from = whole.begin;
-    for (const Interval& part : parts) {
-      if (part.begin > from) rest.push_back({from, part.begin});
-      from = std::max(from, part.end);
-    }
-    if (from < whole.end) rest.push_back({from, whole.end});
-  }
-
-  const Creases& creases_;
-  const Camera& camera_;
-  const double tolerance_;
-  const double reach_;
-  const double sweep_;
+  const LineScene& scene_;
+  const Octree& tree_;
   const PlaneSet planes_;
-  OutlineFinder outlines_;
-  CreasePool pool_;
-  CoveredRegion& covered_;
+  const Camera& camera_;
+  const Viewpoint viewpoint_;
+  const std::vector<bool>& is_wanted_;
+  const double reach_;
+  const double tolerance_;
+  CoveredPicture covered_;
+  std::vector<ProjectedCrease> projected_;
   std::vector<CreasePart> seen_;
   // Working memory.
-  std::vector<Plane> half_spaces_;
-  std::vector<CreasePart> taken_;
-  std::vector<Interval> parts_;
-  std::vector<Interval> hidden_;
-  std::vector<Vec2> outline_;
+  Vec3 cube_[8];
+  std::vector<CreasePart> waiting_, divided_, later_, parts_, near_, far_;
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> union_, ends_, in_cells_;
+  std::vector<Vec2> points_, outline_;
+  std::vector<Interval> uncovered_;
 };
-
-/// About so many tiles that a few pieces are seen in each.
-std::uint32_t tiles_per_side(const Octree& tree, std::uint32_t level, std::size_t crease_count) {
-  std::size_t nodes = crease_count;
-  for (std::uint32_t k = 0; k < tree.levels.size() && k <= level; ++k) {
-    const auto counts = tree.levels[k].count_kinds();
-    nodes += tree.levels[k].size() - counts[static_cast<int>(NodeKind::White)];
-  }
-  const double wanted = 0.5 * std::sqrt(static_cast<double>(nodes));
-  return static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 1024.0));
-}
 
 }  // namespace
 
-std::vector<CreasePart> find_seen_parts(const Octree& tree, std::uint32_t level,
-                                        const Creases& creases, std::vector<CreasePart> open,
-                                        const Camera& camera) {
-  const double unit = std::sqrt(3.0) * 2 * tree.universe.half_side;
-  CoveredRegion covered(extent_of_universe(tree.universe, camera),
-                        tiles_per_side(tree, level, creases.creases.size()),
-                        kPictureTolerance * unit);
-  Looker looker(tree, creases, std::move(open), camera, unit, covered);
-  walk_pieces(tree, {level, camera.viewpoint()}, looker);
-  return looker.take_seen();
+std::vector<CreasePart> find_seen_parts(const LineScene& scene, const std::vector<bool>& is_wanted,
+                                        const Camera& camera, const Rectangle& frame) {
+  return Looker(scene, is_wanted, camera, frame).run();
 }
 
 }  // namespace spoctree

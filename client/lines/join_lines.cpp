@@ -88,7 +88,8 @@ class Ends {
 };
 
 /// For each end, the end of the line that continues its own straight on, or kNone.
-std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance) {
+std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance,
+                                         bool keeps_sources) {
   const Ends ends(lines, tolerance);
   const auto count = static_cast<std::uint32_t>(2 * lines.size());
   std::vector<std::uint32_t> choice(count, kNone);
@@ -102,7 +103,10 @@ std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double toler
     double straightest = 0;
     for (const std::uint32_t other : near) {
       const VisibleLine& next = lines[other / 2];
-      if (other / 2 == end / 2 || next.kind != line.kind || next.hidden != line.hidden) continue;
+      if (other / 2 == end / 2 || next.kind != line.kind || next.hidden != line.hidden ||
+          next.is_step != line.is_step || (keeps_sources && next.source != line.source)) {
+        continue;
+      }
       const Vec3 other_far = ends.at(other ^ 1);
       const Vec3 before = joint - far;
       const Vec3 after = other_far - joint;
@@ -182,8 +186,8 @@ class Straightener {
 
 }  // namespace
 
-VisibleLines join_lines(const VisibleLines& lines, double tolerance) {
-  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance);
+VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_sources) {
+  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance, keeps_sources);
   VisibleLines result;
   Straightener straightener(lines, tolerance, result);
   std::vector<bool> done(lines.size(), false);

@@ -1,5 +1,6 @@
 #include "client/lines/outline.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace spoctree {
@@ -48,41 +49,26 @@ void straighten(std::vector<Vec2>& polygon, double tolerance) {
   if (polygon.size() < 3) polygon.clear();
 }
 
-OutlineFinder::OutlineFinder(const PlaneSet& planes, std::size_t table_size, const Camera& camera,
-                             double tolerance)
-    : camera_(camera), tolerance_(tolerance) {
-  facing_table_.reserve(table_size);
-  for (std::size_t i = 0; i < table_size; ++i) {
-    const Plane plane = planes[PlaneRef::of_table(static_cast<std::uint32_t>(i))];
-    facing_table_.push_back(static_cast<signed char>(camera.facing(plane)));
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const Plane plane = planes[PlaneRef::of_wall(axis, 0)];
-    facing_walls_[axis] = static_cast<signed char>(camera.facing(plane));
-  }
-}
-
-void OutlineFinder::find(const Polyhedron& piece, std::vector<Vec2>& outline) {
+void find_outline(std::vector<Vec2>& points, double tolerance, std::vector<Vec2>& outline) {
+  // Andrew's monotone chain: the lower side from left to right, then the upper one back.
   outline.clear();
-  constexpr auto kNone = static_cast<std::uint32_t>(-1);
-  next_.assign(piece.vertices.size(), kNone);
-  std::uint32_t start = kNone;
-  for (const Polyhedron::Face& face : piece.faces) {
-    if (facing(face.plane) <= 0) continue;
-    const auto loop = piece.loop(face);
-    for (std::size_t k = 0; k < loop.size(); ++k) {
-      if (facing(piece.plane_across(loop[k])) > 0) continue;
-      start = loop[k].vertex;
-      next_[start] = loop[k + 1 == loop.size() ? 0 : k + 1].vertex;
+  std::sort(points.begin(), points.end(),
+            [](Vec2 p, Vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  const auto is_right_turn = [](Vec2 p, Vec2 q, Vec2 r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) <= 0;
+  };
+  const auto append = [&](Vec2 point, std::size_t first) {
+    while (outline.size() >= first + 2 &&
+           is_right_turn(outline[outline.size() - 2], outline.back(), point)) {
+      outline.pop_back();
     }
-  }
-  if (start == kNone) return;
-  std::uint32_t at = start;
-  do {
-    outline.push_back(camera_.project(piece.vertices[at].position));
-    at = next_[at];
-  } while (at != start && at != kNone && outline.size() <= piece.vertices.size());
-  straighten(outline, tolerance_);
+    outline.push_back(point);
+  };
+  for (const Vec2 point : points) append(point, 0);
+  const std::size_t right_end = outline.size() - 1;
+  for (std::size_t k = points.size() - 1; k-- > 0;) append(points[k], right_end);
+  outline.pop_back();
+  straighten(outline, tolerance);
 }
 
 }  // namespace spoctree

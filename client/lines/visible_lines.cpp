@@ -2,29 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "client/lines/arrange_lines.hpp"
+#include "client/lines/extent.hpp"
 #include "client/lines/find_seen_parts.hpp"
+#include "client/lines/line_source.hpp"
 #include "common/base/errors.hpp"
 #include "common/geometry/tolerances.hpp"
 
 namespace spoctree {
 
 namespace {
-
-Creases creases_of(const Surface& surface) {
-  Creases creases;
-  creases.creases.reserve(surface.edges.size());
-  creases.sides.reserve(surface.sides.size());
-  for (const Surface::Edge& edge : surface.edges) {
-    creases.creases.push_back(
-        {surface.vertices[edge.a], surface.vertices[edge.b], edge.first_side, edge.side_count});
-  }
-  for (const Surface::Side& side : surface.sides) {
-    creases.sides.push_back({surface.faces[side.face].plane, side.forward});
-  }
-  return creases;
-}
 
 /// Parts of creases, each merged to as few as there are; what is shorter than `shortest`, gap or
 /// part, goes to its neighbours unless it is a whole crease.
@@ -58,49 +47,89 @@ std::vector<CreasePart> rest_of(std::span<const std::uint32_t> wanted,
   for (const std::uint32_t crease : wanted) {
     double from = 0;
     for (; part != parts.end() && part->crease == crease; ++part) {
-      if (part->interval.begin > from)
-        rest.push_back({crease, kNeitherSide, {from, part->interval.begin}});
+      if (part->interval.begin > from) rest.push_back({crease, {from, part->interval.begin}});
       from = part->interval.end;
     }
-    if (from < 1) rest.push_back({crease, kNeitherSide, {from, 1}});
+    if (from < 1) rest.push_back({crease, {from, 1}});
   }
   return rest;
 }
 
-VisibleLine line_of(const CreasePart& part, const Creases& creases, LineKind kind, bool hidden) {
-  const Crease& crease = creases.creases[part.crease];
-  const auto at = [&](double t) {
-    return t <= 0 ? crease.a : (t >= 1 ? crease.b : crease.a + t * (crease.b - crease.a));
-  };
-  VisibleLine line{at(part.interval.begin), at(part.interval.end), kind, hidden, false, {}, {}};
-  const auto sides = creases.sides_of(crease);
-  for (std::size_t k = 0; k < 2 && k < sides.size(); ++k) line.planes[k] = sides[k].plane;
-  return line;
+class LineMaker {
+ public:
+  LineMaker(const LineScene& scene, std::vector<LineKind> kinds)
+      : scene_(scene), kinds_(std::move(kinds)) {}
+
+  VisibleLine line_of(const CreasePart& part, bool hidden) const {
+    const Crease& crease = scene_.creases().creases[part.crease];
+    const auto at = [&](double t) {
+      return t <= 0 ? crease.a : (t >= 1 ? crease.b : crease.a + t * (crease.b - crease.a));
+    };
+    VisibleLine line;
+    line.a = at(part.interval.begin);
+    line.b = at(part.interval.end);
+    line.kind = kinds_[part.crease];
+    line.hidden = hidden;
+    PlaneRef planes[kMostSides];
+    std::size_t count = 0;
+    for (const CreaseSide& side : scene_.creases().sides_of(crease)) {
+      if (count < kMostSides) planes[count++] = side.plane;
+      line.is_step |= side.plane.is_wall();
+    }
+    for (std::size_t k = 0; k < 2 && k < count; ++k) line.planes[k] = planes[k];
+    line.source = find_source(scene_.tree(), scene_.level(),
+                              at(0.5 * (part.interval.begin + part.interval.end)), {planes, count});
+    return line;
+  }
+
+ private:
+  static constexpr std::size_t kMostSides = 8;
+  const LineScene& scene_;
+  const std::vector<LineKind> kinds_;
+};
+
+/// Cuts parts (by ascending crease) where leaves of the tree end.
+std::vector<CreasePart> cut_at_leaves(const std::vector<CreasePart>& parts,
+                                      const CreaseParts& leaves, std::size_t crease_count) {
+  std::vector<std::vector<double>> borders(crease_count);
+  for (const CreasePart& leaf : leaves.all()) {
+    borders[leaf.crease].push_back(leaf.interval.begin);
+    borders[leaf.crease].push_back(leaf.interval.end);
+  }
+  std::vector<CreasePart> cut;
+  for (const CreasePart& part : parts) {
+    auto& of_crease = borders[part.crease];
+    std::sort(of_crease.begin(), of_crease.end());
+    double from = part.interval.begin;
+    for (const double border : of_crease) {
+      if (border <= from || border >= part.interval.end) continue;
+      cut.push_back({part.crease, {from, border}});
+      from = border;
+    }
+    cut.push_back({part.crease, {from, part.interval.end}});
+  }
+  return cut;
 }
 
 }  // namespace
 
-VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Camera& camera,
+VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
                            const LineOptions& options) {
   if (!(options.crease_angle_deg >= 0 && options.crease_angle_deg <= 180)) {
     throw UsageError("the crease angle must be between 0 and 180 degrees");
   }
-  const double unit = std::sqrt(3.0) * 2 * tree.universe.half_side;
+  const double unit = scene.diagonal();
   const double shortest = kShortestLine * unit;
-  const PlaneSet planes = tree.plane_set();
-  const Creases creases = creases_of(surface);
+  const PlaneSet planes = scene.tree().plane_set();
+  const Creases& creases = scene.creases();
 
   std::vector<LineKind> kinds(creases.creases.size());
-  std::vector<std::uint32_t> wanted;  // all that should be drawn, if they can be seen
-  std::vector<CreasePart> open;       // those not hidden by their own material
+  std::vector<std::uint32_t> wanted;                         // all that is drawn, if it is seen
+  std::vector<bool> is_open(creases.creases.size(), false);  // not hidden by its own material
   for (std::uint32_t k = 0; k < kinds.size(); ++k) {
     const Crease& crease = creases.creases[k];
-    // A line in the line of sight is a point.
-    if (glm::distance(camera.project(crease.a), camera.project(crease.b)) < 1e-3 * shortest) {
-      continue;
-    }
-    const LineSides sides = open_sides(crease, creases, planes, camera);
-    if (sides == kNeitherSide && !options.with_hidden_lines) continue;
+    const bool is_seen = may_be_seen(crease, creases, planes, camera);
+    if (!is_seen && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
     kinds[k] = silhouette ? LineKind::Silhouette : LineKind::Crease;
     if (!silhouette && options.crease_angle_deg > 0 &&
@@ -108,27 +137,34 @@ VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Cam
       continue;
     }
     wanted.push_back(k);
-    if (sides != kNeitherSide) open.push_back({k, sides, {0, 1}});
+    is_open[k] = is_seen;
   }
 
-  std::vector<CreasePart> seen =
-      find_seen_parts(tree, options.level, creases, std::move(open), camera);
-  const double joint = kJoinTolerance * unit;
+  const Rectangle frame =
+      options.frame ? *options.frame : extent_of_universe(scene.tree().universe, camera);
+  std::vector<CreasePart> seen = find_seen_parts(scene, is_open, camera, frame);
   merge_parts(seen, creases, kShortestGlimpse * unit);
+  std::vector<CreasePart> hidden;
+  if (options.with_hidden_lines) hidden = rest_of(wanted, seen);
+  if (options.split_by_source) {
+    seen = cut_at_leaves(seen, scene.parts(), creases.creases.size());
+    hidden = cut_at_leaves(hidden, scene.parts(), creases.creases.size());
+  }
+  const LineMaker maker(scene, std::move(kinds));
   VisibleLines lines;
-  for (const CreasePart& part : seen) {
-    lines.push_back(line_of(part, creases, kinds[part.crease], false));
-  }
-  if (options.with_hidden_lines) {
-    for (const CreasePart& part : rest_of(wanted, seen)) {
-      lines.push_back(line_of(part, creases, kinds[part.crease], true));
-    }
-  }
-  lines = remove_overlaps(join_lines(lines, joint), camera, joint);
+  for (const CreasePart& part : seen) lines.push_back(maker.line_of(part, false));
+  for (const CreasePart& part : hidden) lines.push_back(maker.line_of(part, true));
+  const double joint = kJoinTolerance * unit;
+  lines = remove_overlaps(join_lines(lines, joint, options.split_by_source), camera, joint);
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });
   return in_pen_order(lines, camera);
+}
+
+VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Camera& camera,
+                           const LineOptions& options) {
+  return visible_lines(LineScene(tree, surface, options.level), camera, options);
 }
 
 }  // namespace spoctree

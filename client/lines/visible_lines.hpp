@@ -1,13 +1,16 @@
 // Tree and creases -> the lines that a viewer sees.
 //
 // The tree is walked from front to back. Each part of a crease is tested, in the plane of the
-// picture, against the union of the outlines of the pieces visited before the first piece that
-// touches it; then that piece's outline joins the union. No depth is ever compared. After Veenstra
-// and Ahuja, Line drawings of octree-represented objects, ACM Trans. Graphics 7 (1), 1988, with
-// convex pieces for cubes and an index of the picture for the comparison of all with all.
+// picture, against the union of the outlines of the pieces visited before the first cell that
+// touches it; no depth is ever compared. After Veenstra and Ahuja, Line drawings of
+// octree-represented objects, ACM Trans. Graphics 7 (1), 1988, with convex pieces for cubes and an
+// index of the picture for the comparison of all with all.
 #pragma once
 
+#include <optional>
+
 #include "client/lines/camera.hpp"
+#include "client/lines/line_scene.hpp"
 #include "client/lines/visible_line.hpp"
 #include "client/rebuild/surface.hpp"
 #include "common/tree/octree.hpp"
@@ -15,21 +18,29 @@
 namespace spoctree {
 
 struct LineOptions {
-  /// T_level is drawn; levels beyond the tree mean its last level.
+  /// T_level is drawn, where there is no LineScene that says which; levels beyond the tree mean its
+  /// last level.
   std::uint32_t level = static_cast<std::uint32_t>(-1);
   /// Creases whose faces' normals differ by less than this are drawn as silhouettes only.
   double crease_angle_deg = 0;
   /// Adds the parts that cannot be seen, marked as hidden.
   bool with_hidden_lines = false;
+  /// Lines are not joined where their sources differ.
+  bool split_by_source = false;
+  /// The part of the picture that is wanted; left out: the extent of the universe.
+  std::optional<Rectangle> frame;
 };
 
-/// The lines of T_level as `camera` sees it, in the order in which a pen should draw them: hidden
-/// lines, creases, silhouettes, each in short ways, with as few and long lines as there are.
-/// `surface` is rebuild_surface(tree, options.level). Where lines lie one behind the other in the
-/// picture (views along faces), the nearest alone is drawn. Lines are exact up to kPictureTolerance
-/// in the picture; those shorter than kShortestLine there are left out. Same input, same lines.
-/// Time about linear in nodes and creases of the visible part.
-/// Throws UsageError if the angle is not in [0, 180].
+/// The lines of the scene's level as `camera` sees it, in the order in which a pen should draw
+/// them: hidden lines, creases, silhouettes, each in short ways, with as few and long lines as
+/// there are. Where lines lie one behind the other in the picture (views along faces), the nearest
+/// alone is drawn. Lines are exact up to kPictureTolerance in the picture; those shorter than
+/// kShortestLine there are left out. Same input, same lines. In one thread; time about linear in
+/// nodes and creases of the visible part. Throws UsageError if the angle is not in [0, 180].
+VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
+                           const LineOptions& options = {});
+
+/// The same of T_level, prepared for one view. `surface` is rebuild_surface(tree, options.level).
 /// REQUIRES: a valid tree (validate.hpp).
 VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Camera& camera,
                            const LineOptions& options = {});

@@ -38,6 +38,18 @@ inline void union_of(std::uint32_t plane_count, std::vector<std::uint32_t>& toke
   }
   tokens.push_back(kOutToken);
 }
+/// The number of each kInToken among the kInTokens, in preorder; of other tokens, how many stand
+/// before.
+inline void number_in_cells(std::span<const std::uint32_t> tokens,
+                            std::vector<std::uint32_t>& numbers) {
+  numbers.resize(tokens.size());
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    numbers[i] = count;
+    if (tokens[i] == kInToken) ++count;
+  }
+}
+
 inline std::vector<std::uint32_t> union_of(std::uint32_t plane_count) {
   std::vector<std::uint32_t> tokens;
   union_of(plane_count, tokens);

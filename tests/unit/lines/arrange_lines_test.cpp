@@ -8,7 +8,7 @@ namespace spoctree {
 namespace {
 
 VisibleLine line(Vec3 a, Vec3 b, LineKind kind = LineKind::Crease, bool hidden = false) {
-  return {a, b, kind, hidden, {}};
+  return {a, b, kind, hidden, false, {}, {}};
 }
 
 double ways_between(const VisibleLines& lines, const Camera& camera) {

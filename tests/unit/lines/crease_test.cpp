@@ -16,8 +16,8 @@ struct Bench {
         {{0, 0, -0.5}, {0, 0, 0.5}, 0, static_cast<std::uint32_t>(sides.size())});
     creases.sides = std::move(sides);
   }
-  LineSides open(Vec3 toward_viewer) const {
-    return open_sides(creases.creases[0], creases, planes, Camera(toward_viewer));
+  bool open(Vec3 toward_viewer) const {
+    return may_be_seen(creases.creases[0], creases, planes, Camera(toward_viewer));
   }
   bool silhouette(Vec3 toward_viewer) const {
     return is_silhouette(creases.creases[0], creases, planes, Camera(toward_viewer));
@@ -36,36 +36,46 @@ Bench crossing() {
   return Bench({{kX, true}, {kY, false}, {kX.flipped(), true}, {kY.flipped(), false}});
 }
 
-TEST(OpenSides, AreBothUnlessAllFacesOfAConvexEdgeLookAway) {
-  EXPECT_EQ(convex().open({1, 2, 0.3}), kBothSides);
-  EXPECT_EQ(convex().open({-1, 2, 0.3}), kBothSides);
-  EXPECT_EQ(convex().open({1, -2, -0.3}), kBothSides);
-  EXPECT_EQ(convex().open({-1, -2, 0.3}), kNeitherSide);
+TEST(MayBeSeen, HoldsUnlessAllFacesOfAConvexEdgeLookAway) {
+  EXPECT_TRUE(convex().open({1, 2, 0.3}));
+  EXPECT_TRUE(convex().open({-1, 2, 0.3}));
+  EXPECT_TRUE(convex().open({1, -2, -0.3}));
+  EXPECT_FALSE(convex().open({-1, -2, 0.3}));
 }
 
-TEST(OpenSides, AreNeitherUnlessAllFacesOfAReflexEdgeFaceTheViewer) {
-  EXPECT_EQ(reflex().open({1, 2, 0.3}), kBothSides);
-  EXPECT_EQ(reflex().open({-1, 2, 0.3}), kNeitherSide);
-  EXPECT_EQ(reflex().open({1, -2, 0.3}), kNeitherSide);
-  EXPECT_EQ(reflex().open({-1, -2, 0.3}), kNeitherSide);
+TEST(MayBeSeen, FailsUnlessAllFacesOfAReflexEdgeFaceTheViewer) {
+  EXPECT_TRUE(reflex().open({1, 2, 0.3}));
+  EXPECT_FALSE(reflex().open({-1, 2, 0.3}));
+  EXPECT_FALSE(reflex().open({1, -2, 0.3}));
+  EXPECT_FALSE(reflex().open({-1, -2, 0.3}));
 }
 
-TEST(OpenSides, AreOneWhereAFaceIsSeenEdgeOn) {
-  // From -y, z upwards, right is +x. The face x = 0 is seen edge-on and has material on its left.
-  EXPECT_EQ(convex().open({0, -1, 0}), kRightSide);
-  EXPECT_EQ(convex().open({-1, 0, 0}), kLeftSide);
-  // From +y, right is -x: material of the reflex edge is on its right, beyond x = 0.
-  EXPECT_EQ(reflex().open({0, 1, 0}), kLeftSide);
-  EXPECT_EQ(reflex().open({1, 0, 0}), kRightSide);
+TEST(MayBeSeen, HoldsWhereAFaceIsSeenEdgeOnAndThePictureBesideItIsOpen) {
+  EXPECT_TRUE(convex().open({0, -1, 0}));
+  EXPECT_TRUE(convex().open({-1, 0, 0}));
+  EXPECT_TRUE(reflex().open({0, 1, 0}));
+  EXPECT_TRUE(reflex().open({1, 0, 0}));
+  EXPECT_FALSE(reflex().open({0, -1, 0}));
 }
 
-TEST(OpenSides, AreThoseOfTheSectorWhereFourFacesMeet) {
-  EXPECT_EQ(crossing().open({1, 2, 0.3}), kNeitherSide);
-  EXPECT_EQ(crossing().open({-1, -2, 0.3}), kNeitherSide);
-  EXPECT_EQ(crossing().open({-1, 2, 0.3}), kBothSides);
-  EXPECT_EQ(crossing().open({1, -2, 0.3}), kBothSides);
+TEST(MayBeSeen, AsksWhereTheEyeIsInAPerspective) {
+  const Bench bench = convex();
+  const auto open = [&](Vec3 eye) {
+    return may_be_seen(bench.creases.creases[0], bench.creases, bench.planes,
+                       Camera::perspective(eye, {0, 0, 0}));
+  };
+  EXPECT_TRUE(open({1, 2, 0.3}));
+  EXPECT_TRUE(open({-1, 2, 0.3}));
+  EXPECT_FALSE(open({-1, -2, 0.3}));
+}
+
+TEST(MayBeSeen, AsksTheSectorWhereFourFacesMeet) {
+  EXPECT_FALSE(crossing().open({1, 2, 0.3}));
+  EXPECT_FALSE(crossing().open({-1, -2, 0.3}));
+  EXPECT_TRUE(crossing().open({-1, 2, 0.3}));
+  EXPECT_TRUE(crossing().open({1, -2, 0.3}));
   // From -y: material is at x < 0, on the left.
-  EXPECT_EQ(crossing().open({0, -1, 0}), kRightSide);
+  EXPECT_TRUE(crossing().open({0, -1, 0}));
 }
 
 TEST(Silhouettes, HaveFacesOfBothKinds) {

@@ -1,0 +1,290 @@
+#include "client/lines/covered_picture.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace spoctree {
+
+namespace {
+
+double twice_area(std::span<const Vec2> polygon) {
+  double sum = 0;
+  for (std::size_t k = 2; k < polygon.size(); ++k) {
+    const Vec2 p = polygon[k - 1] - polygon[0];
+    const Vec2 q = polygon[k] - polygon[0];
+    sum += p.x * q.y - p.y * q.x;
+  }
+  return sum;
+}
+
+/// The part of a convex polygon where value(corner) <= 0; `value` is linear.
+template <class Value>
+void clip(std::span<const Vec2> polygon, const Value& value, std::vector<Vec2>& part) {
+  part.clear();
+  if (polygon.empty()) return;
+  Vec2 from = polygon.back();
+  double at_from = value(from);
+  for (const Vec2 to : polygon) {
+    const double at_to = value(to);
+    if ((at_from < 0 && at_to > 0) || (at_from > 0 && at_to < 0)) {
+      part.push_back(from + (to - from) * (at_from / (at_from - at_to)));
+    }
+    if (at_to <= 0) part.push_back(to);
+    from = to;
+    at_from = at_to;
+  }
+}
+
+/// Less than this fraction of a tile is nothing.
+constexpr double kNothing = 1e-12;
+
+/// Most tiles are full when one polygon covers them, soon behind the surface. Where that does not
+/// happen, as where seams lie one behind the other, what all polygons leave is found out when there
+/// are so many of them, and again whenever there are twice as many.
+constexpr std::uint32_t kManyEntries = 64;
+
+}  // namespace
+
+CoveredPicture::CoveredPicture(const Rectangle& bounds, std::uint32_t tiles_per_side,
+                               double tolerance)
+    : tiles_per_side_(tiles_per_side), tolerance_(tolerance) {
+  // A little larger and off the bounds, by fractions that keep the borders of tiles away from the
+  // walls of cells in views along the axes.
+  const Vec2 size = bounds.upper - bounds.lower;
+  const double side = std::max(size.x, size.y);
+  lower_ = bounds.lower - Vec2{0.01237, 0.01193} * side;
+  tile_size_ = side * 1.03141 / tiles_per_side;
+  words_per_row_ = (tiles_per_side + 63) / 64;
+  tiles_.resize(std::size_t{tiles_per_side} * tiles_per_side);
+  full_.assign(words_per_row_ * tiles_per_side, 0);
+}
+
+std::int64_t CoveredPicture::column_of(double coordinate, int axis) const {
+  const double column = std::floor((coordinate - lower_[axis]) / tile_size_);
+  return static_cast<std::int64_t>(std::clamp(column, -1.0, static_cast<double>(tiles_per_side_)));
+}
+
+Vec2 CoveredPicture::lower_corner(std::int64_t column, std::int64_t row) const {
+  return lower_ + tile_size_ * Vec2{static_cast<double>(column), static_cast<double>(row)};
+}
+
+void CoveredPicture::mark_full(std::int64_t column, std::int64_t row) {
+  full_[static_cast<std::size_t>(row) * words_per_row_ + static_cast<std::size_t>(column / 64)] |=
+      std::uint64_t{1} << (column % 64);
+}
+
+bool CoveredPicture::is_full(const Rectangle& rectangle) const {
+  const std::int64_t left = std::max<std::int64_t>(column_of(rectangle.lower.x, 0), 0);
+  const std::int64_t right = std::min(column_of(rectangle.upper.x, 0), tiles_per_side_ - 1);
+  const std::int64_t bottom = std::max<std::int64_t>(column_of(rectangle.lower.y, 1), 0);
+  const std::int64_t top = std::min(column_of(rectangle.upper.y, 1), tiles_per_side_ - 1);
+  if (left > right) return true;
+  for (std::int64_t row = bottom; row <= top; ++row) {
+    const std::uint64_t* const words =
+        full_.data() + static_cast<std::size_t>(row) * words_per_row_;
+    for (std::int64_t word = left / 64; word <= right / 64; ++word) {
+      std::uint64_t wanted = ~std::uint64_t{0};
+      if (word == left / 64) wanted &= ~std::uint64_t{0} << (left % 64);
+      if (word == right / 64) wanted &= ~std::uint64_t{0} >> (63 - right % 64);
+      if ((words[word] & wanted) != wanted) return false;
+    }
+  }
+  return true;
+}
+
+void CoveredPicture::cover(std::span<const Vec2> polygon) {
+  if (polygon.size() < 3) return;
+  Vec2 lower = polygon[0];
+  Vec2 upper = polygon[0];
+  for (const Vec2 corner : polygon) {
+    lower = glm::min(lower, corner);
+    upper = glm::max(upper, corner);
+  }
+  const std::int64_t left = std::max<std::int64_t>(column_of(lower.x - tolerance_, 0), 0);
+  const std::int64_t right = std::min(column_of(upper.x + tolerance_, 0), tiles_per_side_ - 1);
+  const std::int64_t bottom = std::max<std::int64_t>(column_of(lower.y - tolerance_, 1), 0);
+  const std::int64_t top = std::min(column_of(upper.y + tolerance_, 1), tiles_per_side_ - 1);
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+  for (std::int64_t row = bottom; row <= top; ++row) {
+    for (std::int64_t column = left; column <= right; ++column) {
+      if (is_full(column, row)) continue;
+      if (count == 0) {
+        first = static_cast<std::uint32_t>(half_planes_.size());
+        count = static_cast<std::uint32_t>(polygon.size());
+        for (std::size_t k = 0; k < polygon.size(); ++k) {
+          const Vec2 from = polygon[k];
+          const Vec2 along = polygon[k + 1 == polygon.size() ? 0 : k + 1] - from;
+          const Vec2 outwards = Vec2{along.y, -along.x} / glm::length(along);
+          half_planes_.push_back({outwards, glm::dot(outwards, from) + tolerance_});
+        }
+      }
+      cover_tile(column, row, first, count);
+    }
+  }
+}
+
+void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, std::uint32_t first,
+                                std::uint32_t count) {
+  const Vec2 lower = lower_corner(column, row);
+  const double half = 0.5 * tile_size_;
+  const Vec2 middle = lower + Vec2{half, half};
+  bool covers_all = true;
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    const HalfPlane& side = half_planes_[k];
+    const double value = side(middle);
+    const double reach = half * (std::abs(side.normal.x) + std::abs(side.normal.y));
+    if (value > reach) return;
+    covers_all = covers_all && value <= -reach;
+  }
+  if (covers_all) {
+    mark_full(column, row);
+    return;
+  }
+  Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_per_side_ + column)];
+  entries_.push_back({first, count, tile.first_entry});
+  tile.first_entry = static_cast<std::int32_t>(entries_.size() - 1);
+  ++tile.entry_count;
+  if (tile.entry_count >= kManyEntries && std::has_single_bit(tile.entry_count) &&
+      is_covered_all_over(tile, lower)) {
+    mark_full(column, row);
+  }
+}
+
+/// Takes the polygons of a tile away from it, one after the other.
+bool CoveredPicture::is_covered_all_over(const Tile& tile, Vec2 lower) {
+  const double size = tile_size_;
+  const double nothing = 2 * kNothing * size * size;
+  rest_.assign(1, {lower, lower + Vec2{size, 0}, lower + Vec2{size, size}, lower + Vec2{0, size}});
+  for (std::int32_t number = tile.first_entry; number >= 0 && !rest_.empty();) {
+    const Entry& entry = entries_[static_cast<std::size_t>(number)];
+    number = entry.next;
+    const std::size_t old_count = rest_.size();
+    for (std::size_t i = 0; i < old_count; ++i) {
+      // The parts beyond one side after the other; what is within all of them is covered.
+      within_ = rest_[i];
+      for (const HalfPlane& side : half_planes(entry)) {
+        if (std::any_of(within_.begin(), within_.end(), [&](Vec2 p) { return side(p) > 0; })) {
+          clip(within_, side, cut_);
+          std::swap(within_, cut_);
+        }
+        if (within_.size() < 3) break;
+      }
+      if (twice_area(within_) <= nothing) continue;
+      std::swap(within_, rest_[i]);
+      rest_[i].clear();
+      for (const HalfPlane& side : half_planes(entry)) {
+        clip(
+            within_, [&](Vec2 p) { return -side(p); }, cut_);
+        if (twice_area(cut_) > nothing) rest_.push_back(cut_);
+        clip(within_, side, cut_);
+        std::swap(within_, cut_);
+      }
+    }
+    std::erase_if(rest_, [](const Polygon& part) { return part.empty(); });
+  }
+  return rest_.empty();
+}
+
+void CoveredPicture::find_uncovered(Vec2 a, Vec2 b, Interval part,
+                                    std::vector<Interval>& uncovered) {
+  const Vec2 step = b - a;
+  // Within bounds first.
+  for (int axis = 0; axis < 2; ++axis) {
+    const double low = lower_[axis] - a[axis];
+    const double high = low + tile_size_ * static_cast<double>(tiles_per_side_);
+    if (step[axis] == 0) {
+      if (low > 0 || high < 0) return;
+      continue;
+    }
+    double enter = low / step[axis];
+    double leave = high / step[axis];
+    if (enter > leave) std::swap(enter, leave);
+    part.begin = std::max(part.begin, enter);
+    part.end = std::min(part.end, leave);
+  }
+  if (!(part.begin < part.end)) return;
+
+  const auto clamped = [&](double coordinate, int axis) {
+    return std::clamp<std::int64_t>(column_of(coordinate, axis), 0, tiles_per_side_ - 1);
+  };
+  // Column by column (or row by row, the way in which there are fewer) of the grid.
+  const int across = std::abs(step.x) < std::abs(step.y) ? 0 : 1;
+  const int along = 1 - across;
+  const auto at = [&](double s, int axis) { return a[axis] + s * step[axis]; };
+  const std::int64_t first = clamped(at(part.begin, across), across);
+  const std::int64_t last = clamped(at(part.end, across), across);
+  const std::int64_t way = first <= last ? 1 : -1;
+  double from = part.begin;
+  for (std::int64_t i = first;; i += way) {
+    double to = part.end;
+    if (i != last) {
+      const double border = lower_[across] + tile_size_ * static_cast<double>(way > 0 ? i + 1 : i);
+      to = std::clamp((border - a[across]) / step[across], from, part.end);
+    }
+    const std::int64_t start = clamped(at(from, along), along);
+    const std::int64_t stop = clamped(at(to, along), along);
+    const std::int64_t direction = start <= stop ? 1 : -1;
+    double begin = from;
+    for (std::int64_t j = start;; j += direction) {
+      double end = to;
+      if (j != stop) {
+        const double border =
+            lower_[along] + tile_size_ * static_cast<double>(direction > 0 ? j + 1 : j);
+        end = std::clamp((border - a[along]) / step[along], begin, to);
+      }
+      if (begin < end) {
+        if (across == 0) {
+          look_at_tile(i, j, a, step, {begin, end}, uncovered);
+        } else {
+          look_at_tile(j, i, a, step, {begin, end}, uncovered);
+        }
+      }
+      begin = end;
+      if (j == stop) break;
+    }
+    from = to;
+    if (i == last) break;
+  }
+}
+
+void CoveredPicture::look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step,
+                                  Interval part, std::vector<Interval>& uncovered) {
+  if (is_full(column, row)) return;
+  const Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_per_side_ + column)];
+  open_.assign(1, part);
+  for (std::int32_t number = tile.first_entry; number >= 0 && !open_.empty();) {
+    const Entry& entry = entries_[static_cast<std::size_t>(number)];
+    number = entry.next;
+    Interval covered = part;
+    for (const HalfPlane& side : half_planes(entry)) {
+      const double start = side(a);
+      const double rise = glm::dot(side.normal, step);
+      const double at_begin = start + covered.begin * rise;
+      const double at_end = start + covered.end * rise;
+      if (at_begin > 0 && at_end > 0) {
+        covered.end = covered.begin;
+        break;
+      }
+      if (at_begin > 0) {
+        covered.begin -= at_begin / rise;
+      } else if (at_end > 0) {
+        covered.end -= at_end / rise;
+      }
+    }
+    if (!(covered.begin < covered.end)) continue;
+    next_open_.clear();
+    for (const Interval& open : open_) {
+      if (open.begin < covered.begin) {
+        next_open_.push_back({open.begin, std::min(open.end, covered.begin)});
+      }
+      if (open.end > covered.end)
+        next_open_.push_back({std::max(open.begin, covered.end), open.end});
+    }
+    std::swap(open_, next_open_);
+  }
+  uncovered.insert(uncovered.end(), open_.begin(), open_.end());
+}
+
+}  // namespace spoctree

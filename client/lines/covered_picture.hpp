@@ -1,0 +1,87 @@
+// The part of the picture covered so far: a grid of tiles, and in each tile the convex polygons
+// that cover some of it.
+//
+// The covered region grows only. A tile that is covered all over is marked full, and its polygons
+// are forgotten: what lies behind full tiles need not be looked at (Veenstra and Ahuja 1988, with
+// an index in place of the comparison of every edge with every earlier outline).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "client/lines/camera.hpp"
+#include "client/lines/crease_parts.hpp"
+
+namespace spoctree {
+
+class CoveredPicture {
+ public:
+  /// Nothing is covered yet. Polygons cover what is nearer to them than `tolerance`, too: those
+  /// that share an edge up to rounding leave no gap between them.
+  CoveredPicture(const Rectangle& bounds, std::uint32_t tiles_per_side, double tolerance);
+
+  /// Adds a convex polygon, counter-clockwise; what is out of bounds does not count.
+  void cover(std::span<const Vec2> polygon);
+
+  /// True if all tiles that the rectangle touches are full, or if it is out of bounds.
+  bool is_full(const Rectangle& rectangle) const;
+
+  /// Appends the parts of the line a + s (b - a), s in `part`, that are within bounds and not
+  /// covered; its borders count as covered. The parts may touch and overlap.
+  void find_uncovered(Vec2 a, Vec2 b, Interval part, std::vector<Interval>& uncovered);
+
+ private:
+  /// The half-plane { p : normal . p <= offset }.
+  struct HalfPlane {
+    Vec2 normal{0.0};
+    double offset = 0;
+    double operator()(Vec2 p) const { return glm::dot(normal, p) - offset; }
+  };
+  /// Its half-planes stand one after the other in `half_planes_`.
+  struct Entry {
+    std::uint32_t first;
+    std::uint32_t count;
+    std::int32_t next;
+  };
+  struct Tile {
+    std::int32_t first_entry = -1;
+    std::uint32_t entry_count = 0;
+  };
+  using Polygon = std::vector<Vec2>;
+
+  std::int64_t column_of(double coordinate, int axis) const;
+  Vec2 lower_corner(std::int64_t column, std::int64_t row) const;
+  bool is_full(std::int64_t column, std::int64_t row) const {
+    return (full_[static_cast<std::size_t>(row) * words_per_row_ +
+                  static_cast<std::size_t>(column / 64)] >>
+                (column % 64) &
+            1) != 0;
+  }
+  void mark_full(std::int64_t column, std::int64_t row);
+  std::span<const HalfPlane> half_planes(const Entry& entry) const {
+    return {half_planes_.data() + entry.first, entry.count};
+  }
+
+  void cover_tile(std::int64_t column, std::int64_t row, std::uint32_t first, std::uint32_t count);
+  bool is_covered_all_over(const Tile& tile, Vec2 lower);
+  void look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step, Interval part,
+                    std::vector<Interval>& uncovered);
+
+  Vec2 lower_;
+  double tile_size_;
+  std::int64_t tiles_per_side_;
+  double tolerance_;
+  std::vector<Tile> tiles_;          // row by row
+  std::vector<std::uint64_t> full_;  // one bit per tile, rows padded to whole words
+  std::size_t words_per_row_;
+  std::vector<HalfPlane> half_planes_;
+  std::vector<Entry> entries_;
+  // Working memory.
+  std::vector<Polygon> rest_;
+  Polygon within_, cut_;
+  std::vector<Interval> open_;
+  std::vector<Interval> next_open_;
+};
+
+}  // namespace spoctree

@@ -1,0 +1,70 @@
+#include "client/lines/view.hpp"
+
+namespace spoctree {
+
+ProjectedCrease project(const Crease& crease, const Camera& camera) {
+  ProjectedCrease projected;
+  projected.range = {0, 1};
+  const double least = camera.least_depth();
+  const double depth_a = camera.depth(crease.a);
+  const double depth_b = camera.depth(crease.b);
+  if (depth_a < least && depth_b < least) {
+    projected.range.end = 0;
+    return projected;
+  }
+  const double border = (least - depth_a) / (depth_b - depth_a);
+  if (depth_a < least) projected.range.begin = border;
+  if (depth_b < least) projected.range.end = border;
+  const auto at = [&](double t) { return crease.a + t * (crease.b - crease.a); };
+  projected.depth_a = std::max(depth_a, least);
+  projected.depth_b = std::max(depth_b, least);
+  projected.a = camera.project(depth_a < least ? at(border) : crease.a);
+  projected.b = camera.project(depth_b < least ? at(border) : crease.b);
+  return projected;
+}
+
+std::optional<Rectangle> extent_of_cube(Vec3 lower, double side, const Camera& camera) {
+  if (!camera.is_perspective()) {
+    const double half = 0.5 * side;
+    const Vec2 middle = camera.project(lower + Vec3{half, half, half});
+    const auto reach = [&](Vec3 axis) {
+      return half * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
+    };
+    const Vec2 reaches{reach(camera.right()), reach(camera.up())};
+    return Rectangle{middle - reaches, middle + reaches};
+  }
+  Rectangle extent;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const Vec3 point = lower + side * Vec3{corner & 1, corner >> 1 & 1, corner >> 2};
+    if (camera.depth(point) < camera.least_depth()) return std::nullopt;
+    const Vec2 at = camera.project(point);
+    extent.lower = corner == 0 ? at : glm::min(extent.lower, at);
+    extent.upper = corner == 0 ? at : glm::max(extent.upper, at);
+  }
+  return extent;
+}
+
+void project(std::span<const Vec3> corners, const Camera& camera, std::vector<Vec2>& points) {
+  points.clear();
+  if (!camera.is_perspective()) {
+    for (const Vec3 corner : corners) points.push_back(camera.project(corner));
+    return;
+  }
+  const double least = camera.least_depth();
+  for (const Vec3 corner : corners) {
+    const double depth = camera.depth(corner);
+    if (depth >= least) {
+      points.push_back(camera.project(corner));
+      continue;
+    }
+    // Among the ways to the other corners are all edges; the others lie within.
+    for (const Vec3 other : corners) {
+      const double other_depth = camera.depth(other);
+      if (other_depth < least) continue;
+      points.push_back(
+          camera.project(corner + (least - depth) / (other_depth - depth) * (other - corner)));
+    }
+  }
+}
+
+}  // namespace spoctree
