@@ -58,19 +58,30 @@ int judge(const Options& options) {
   const double seen = found.seen > 0 ? found.seen : 1;
   const std::string name =
       options.name.empty() ? options.mesh.substr(options.mesh.rfind('/') + 1) : options.name;
-  std::printf(
-      "%-46s %6zu lines for %6zu, %5.2f pieces | no edge %.1e hidden %.1e missed %.1e "
-      "doubled %.1e (nearly %.1e)",
-      name.c_str(), found.lines, found.seen_runs, found.pieces_per_run(), found.no_edge / seen,
-      found.not_seen / seen, found.missed / seen, found.doubled / seen,
-      found.nearly_doubled / seen);
+  const auto share = [&](const char* what, double length) {
+    if (length > 0) {
+      std::printf("%s %.1e", what, length / seen);
+    } else {
+      std::printf("%s 0", what);
+    }
+  };
+  std::printf("%-46s %6zu lines for %6zu, %5.2f pieces |", name.c_str(), found.lines,
+              found.seen_runs, found.pieces_per_run());
+  share(" no edge", found.no_edge);
+  share(", hidden", found.not_seen);
+  share(", missed", found.missed);
+  share(", doubled", found.doubled);
+  share(", nearly", found.nearly_doubled);
+  share(", off in space", found.off_in_space);
   if (found.hidden_lines > 0) {
-    std::printf(" | %zu dashed: seen %.1e missed %.1e doubled %.1e", found.hidden_lines,
-                found.wrongly_hidden / seen, found.missed_hidden / seen,
-                found.doubled_hidden / seen);
+    std::printf(" | %zu dashed:", found.hidden_lines);
+    share(" seen", found.wrongly_hidden);
+    share(", missed", found.missed_hidden);
+    share(", doubled", found.doubled_hidden);
   }
-  if (found.doubtful > 0) std::printf(" | doubtful %.1e", found.doubtful / seen);
+  if (found.doubtful > 0) share(" | doubtful", found.doubtful);
   std::printf(" | %.1f s%s\n", took.count(), found.is_good() ? "" : "  <-- FAILS");
+  std::fflush(stdout);  // before the faults
   for (const std::string& fault : found.faults) std::fprintf(stderr, "  %s\n", fault.c_str());
   return found.is_good() ? kExitDone : 1;
 }

@@ -263,10 +263,13 @@ class Judge {
 
   void judge_lines(Strokes& lines, Strokes& can_be, const char* what, double& wrong) {
     for (const Stroke& stroke : lines.all()) {
-      const Parts on_edge = in_picture(stroke, edges_->near_in_space(stroke, distance_));
+      const Parts on_edge = edges_->near(stroke, distance_);
       blame("no edge", stroke, without({0, 1}, on_edge), result_.no_edge);
       const Parts right = can_be.near(stroke, distance_);
       blame(what, stroke, common_of(without({0, 1}, right), on_edge), wrong);
+      const Parts in_space = in_picture(stroke, edges_->near_in_space(stroke, distance_));
+      blame("off in space", stroke, common_of(without({0, 1}, in_space), on_edge),
+            result_.off_in_space);
     }
   }
 

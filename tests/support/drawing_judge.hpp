@@ -29,12 +29,15 @@ struct JudgeOptions {
 /// Lengths are lengths in the picture. Where edges lie on each other there, they count once.
 struct DrawingJudgement {
   double diagonal = 0;
-  double seen = 0;      ///< of the edges that are seen
-  double behind = 0;    ///< of those that are hidden (and not in the same place as a seen one)
-  double no_edge = 0;   ///< drawn where the solid has no edge (in space), of all lines
-  double not_seen = 0;  ///< drawn as visible on an edge, but hidden
-  double missed = 0;    ///< seen, but no visible line is there
-  double doubled = 0;   ///< visible lines on visible lines
+  double seen = 0;     ///< of the edges that are seen
+  double behind = 0;   ///< of those that are hidden (and not in the same place as a seen one)
+  double no_edge = 0;  ///< drawn where the picture has no edge, seen or hidden, of all lines
+  /// Drawn on an edge in the picture, but not in space: one line in place of several that continue
+  /// each other in the picture only, or a line at a wrong depth.
+  double off_in_space = 0;
+  double not_seen = 0;        ///< drawn as visible on an edge, but hidden
+  double missed = 0;          ///< seen, but no visible line is there
+  double doubled = 0;         ///< visible lines on visible lines
   double nearly_doubled = 0;  ///< the same, up to `tolerance`: features so near to each other too
   double wrongly_hidden = 0;  ///< drawn as hidden, but seen and not hidden anywhere near
   double missed_hidden = 0;   ///< hidden, but no line is there; 0 if no hidden line is drawn

@@ -68,7 +68,8 @@ TEST(DrawingJudge, ABracketIsFiveLinesFromTheFront) {
   }
   expect_clean(judge_drawing(bracket, view, drawn), 18, 5);
   // In front of the plate there is no edge in space.
-  EXPECT_NEAR(judge_drawing(bracket, view, right).no_edge, 2 * 2 + 4, 1e-4);
+  EXPECT_NEAR(judge_drawing(bracket, view, right).off_in_space, 2 * 2 + 4, 1e-4);
+  EXPECT_TRUE(judge_drawing(bracket, view, right).is_good());
 }
 
 TEST(DrawingJudge, TheFaceOfAMengerSpongeIsSquaresInASquare) {
@@ -163,12 +164,13 @@ TEST_F(BoxBeforeBox, ALineOffByTenTimesTheToleranceIsNoEdgeAndMissesOne) {
   EXPECT_NEAR(found.missed, 1, 1e-4);
 }
 
-TEST_F(BoxBeforeBox, ALineOffInDepthOnlyIsNoEdge) {
+TEST_F(BoxBeforeBox, ALineOffInDepthOnlyIsRightInThePicture) {
   right.back().a.y -= 1e-5 * diagonal;
   right.back().b.y -= 1e-5 * diagonal;
   const auto found = judge(right);
-  EXPECT_NEAR(found.no_edge, 1, 1e-4);
+  EXPECT_NEAR(found.off_in_space, 1, 1e-4);
   EXPECT_EQ(found.missed, 0);
+  EXPECT_TRUE(found.is_good());
 }
 
 TEST_F(BoxBeforeBox, ALineOffByATenthOfTheToleranceIsRight) {
