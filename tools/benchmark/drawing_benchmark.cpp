@@ -22,9 +22,13 @@ struct Scene {
 
   virtual const Octree& tree() { return model->built().tree; }
   virtual const Surface& surface() { return model->surface(); }
-  VisibleLines draw(const Camera& camera) { return visible_lines(tree(), surface(), camera, {}); }
+  const LineScene& lines() {
+    if (!prepared) prepared.emplace(tree(), surface());
+    return *prepared;
+  }
 
   std::shared_ptr<BenchmarkModel> model;
+  std::optional<LineScene> prepared;
 };
 
 /// The model's mesh with a plate between it and the viewer of `Camera()`, hiding all of it.
@@ -75,14 +79,32 @@ struct SceneBehindPlate : Scene {
   std::optional<Surface> rebuilt;
 };
 
+/// What is done once per level, for all views: on every core.
+void add_scene(const std::shared_ptr<Scene>& scene) {
+  benchmark::RegisterBenchmark(
+      ("line-scene/" + scene->model->name()).c_str(),
+      [scene](benchmark::State& state) {
+        scene->surface();
+        for (auto _ : state) {
+          benchmark::DoNotOptimize(LineScene(scene->tree(), scene->surface()));
+        }
+        state.counters["faces"] = scene->model->face_count();
+      })
+      ->Unit(benchmark::kMillisecond)
+      ->UseRealTime()
+      ->MeasureProcessCPUTime();
+}
+
 /// By one thread; `lines` is how many lines the drawing has.
 void add(const std::shared_ptr<Scene>& scene, const char* stage, const Camera& camera) {
   benchmark::RegisterBenchmark((stage + ("/" + scene->model->name())).c_str(),
                                [scene, camera](benchmark::State& state) {
-                                 scene->surface();
+                                 scene->lines();
                                  const ThreadLimit one_thread(1);
                                  std::size_t lines = 0;
-                                 for (auto _ : state) lines = scene->draw(camera).size();
+                                 for (auto _ : state) {
+                                   lines = visible_lines(scene->lines(), camera).size();
+                                 }
                                  state.counters["lines"] = static_cast<double>(lines);
                                  state.counters["faces"] = scene->model->face_count();
                                })
@@ -95,8 +117,10 @@ void add(const std::shared_ptr<Scene>& scene, const char* stage, const Camera& c
 
 void register_drawing_benchmarks(const std::shared_ptr<BenchmarkModel>& model) {
   const auto scene = std::make_shared<Scene>(model);
+  add_scene(scene);
   add(scene, "draw", Camera());
   add(scene, "draw-front", Camera(Vec3{0, -1, 0}));
+  add(scene, "draw-perspective", Camera::perspective(Vec3{1.1, -1.42, 0.88}, Vec3{0, 0, 0}));
   add(std::make_shared<SceneBehindPlate>(model), "draw-behind-plate", Camera());
 }
 
