@@ -135,7 +135,9 @@ void run_draw(const DrawArguments& arguments) {
     // A signal is a broken transmission like others, where there are levels to be kept.
     std::optional<Interruption> interruption;
     if (files.is_document() || page.is_wanted()) interruption.emplace();
-    const auto finish = [&] {
+    auto finish = [&, is_finished = false]() mutable {
+      if (is_finished) return;
+      is_finished = true;
       files.finish();
       page.finish();
     };
@@ -149,7 +151,7 @@ void run_draw(const DrawArguments& arguments) {
       finish();
       throw;
     }
-    if (!Interruption::is_requested()) finish();
+    finish();
   }
   Interruption::go_on();
 }

@@ -235,6 +235,41 @@ TEST_F(Client, APdfOfABrokenTransmissionHasTheLevelsThatArrived) {
   EXPECT_EQ(count(read_file(output), "/Type/Page/"), 2U);
 }
 
+TEST_F(Client, WritesAPageWithAllLevelsBesideADrawing) {
+  const std::string html = folder_.file("piece.html");
+  const std::string svg = folder_.file("last.svg");
+  const Outcome outcome = run_client({"draw", piece(), "--html", html, "-o", svg});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(count(read_file(html), "<section>"), last_ + 1);
+  EXPECT_EQ(read_file(svg), run_client({"draw", piece(), "-o", "-"}).out);
+  // The page shows no more levels than were asked for, and calls that whole.
+  EXPECT_EQ(run_client({"draw", piece(), "--html", html, "--level", "1"}).code, 0);
+  EXPECT_EQ(count(read_file(html), "<section>"), 2U);
+  EXPECT_EQ(count(read_file(html), "class=\"note\""), 0U);
+}
+
+TEST_F(Client, APageOfABrokenTransmissionSaysSo) {
+  for (const int signal : {0, SIGINT}) {
+    FakeServer server([&](Socket socket) {
+      receive_request(socket);
+      socket.send(file_.frames().substr(0, file_.level_bytes()[2].total_bytes + 10));
+      if (signal != 0) socket.receive();  // until the client is gone
+    });
+    TemporaryFolder output;
+    Program client(SPOCTREE_CLIENT_PROGRAM,
+                   {"draw", server.url(), "--html", output.file("part.html"), "--level", "all",
+                    "-o", output.file("level%d.svg")});
+    if (signal != 0) {
+      ASSERT_TRUE(wait_until([&] { return exists(output.file("level2.svg")); }));
+      client.send(signal);
+    }
+    EXPECT_EQ(client.wait().code, signal == 0 ? 4 : -signal);
+    const std::string html = read_file(output.file("part.html"));
+    EXPECT_NE(html.find("class=\"note\""), std::string::npos);
+    EXPECT_EQ(count(html, "<section>"), 3U);
+  }
+}
+
 TEST_F(Client, DrawsAFrontViewAtTrueScale) {
   // The piece is 120 wide and 78 high; margins of 5 mm all around.
   const Outcome outcome =
@@ -396,6 +431,7 @@ TEST_F(Client, HasAnExitCodeForEveryFailure) {
                          {{"draw", spo, "-o", out, "--crease-angle", "200"}, 2},
                          {{"draw", spo, "-o", out, "--format", "bmp"}, 2},
                          {{"draw", spo, "-o", out, "--crease-angle", "nan"}, 2},
+                         {{"draw", spo, "-o", out, "--html", out}, 2},
                          {{"draw", spo, "-o", out, "--view", "front,side"}, 2},
                          {{"draw", spo, "-o", out, "--view", "front", "--from", "1,0,0"}, 2},
                          {{"draw", spo, "-o", out, "--from", "1,0,0", "--eye", "9,9,9"}, 2},
