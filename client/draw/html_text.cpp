@@ -21,7 +21,7 @@ section { display: grid; grid-template-columns: minmax(0, 1fr) 17rem; gap: 0 1.5
   margin-bottom: 1rem; }
 section h2 { grid-column: 1 / 3; }
 .paper { background: #fff; border: 1px solid #ccc; border-radius: 4px; padding: .5rem; }
-.paper svg { display: block; width: 100%; height: auto; max-height: 72vh; }
+.paper svg { display: block; width: 100%; height: auto; max-height: 60vh; }
 dl { margin: 0; align-self: start; }
 dt { color: #666; }
 dd { margin: 0 0 .45rem; font-variant-numeric: tabular-nums; }
@@ -68,6 +68,7 @@ const char* const kHtmlScript = R"((() => {
   const play = () => {
     if (timer) { stop(); return; }
     show(shown === last ? 0 : shown + 1);
+    if (shown === last) return;
     button.textContent = "Pause";
     timer = setInterval(() => {
       show(shown + 1);
