@@ -1,67 +1,23 @@
 #include <cstdio>
-#include <memory>
 #include <optional>
 
 #include "client/commands/commands.hpp"
 #include "client/commands/draw_formats.hpp"
-#include "client/commands/level_files.hpp"
-#include "client/draw/html_page.hpp"
-#include "client/draw/write_pdf.hpp"
+#include "client/commands/drawing_output.hpp"
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/surface.hpp"
 #include "common/base/errors.hpp"
 #include "common/base/interruption.hpp"
-#include "common/program/output.hpp"
-#include "common/report/level_rows.hpp"
 #include "common/wire/text.hpp"
 
 namespace spoctree {
 
 namespace {
 
-constexpr std::size_t kLongestTitle = 200;
-
 bool is_wanted(const VisibleLine& line, const DrawArguments& arguments) {
-  if (line.is_step && !arguments.with_steps) return false;
-  if (line.is_step && arguments.with_steps) return true;
+  if (line.is_step) return arguments.with_steps;
   return line.kind == LineKind::Crease ? arguments.with_creases : arguments.with_silhouettes;
 }
-
-/// Levels -> files, as each is drawn; or a page per level in one file, at the end.
-class DrawingFiles {
- public:
-  explicit DrawingFiles(const DrawArguments& arguments)
-      : arguments_(arguments), format_(choose_format(arguments)) {
-    if (arguments.output.empty()) return;
-    const bool is_document = arguments.all_levels && format_ == DrawFormat::Pdf &&
-                             LevelFiles::is_one_file(arguments.output);
-    files_ = std::make_unique<LevelFiles>(arguments.output, arguments.all_levels && !is_document,
-                                          extension_of(format_));
-    if (is_document) document_ = std::make_unique<PdfWriter>();
-  }
-
-  bool is_document() const { return document_ != nullptr; }
-  void add(const LevelPictures& level) {
-    if (!files_) return;
-    if (document_) {
-      document_->add_page(sheet_of(level, arguments_, format_));
-      model_ = level.model;
-    } else {
-      write_output(files_->name_of(level.level), encode(level, arguments_, format_));
-    }
-  }
-  void finish() {
-    if (document_ && document_->page_count() > 0)
-      write_output(files_->name_of(0), document_->finish(model_));
-  }
-
- private:
-  const DrawArguments& arguments_;
-  DrawFormat format_;
-  std::unique_ptr<LevelFiles> files_;
-  std::unique_ptr<PdfWriter> document_;
-  std::string model_;
-};
 
 LevelPictures draw_level(const LevelStream& stream, const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
@@ -80,33 +36,6 @@ LevelPictures draw_level(const LevelStream& stream, const DrawArguments& argumen
   }
   return level;
 }
-
-/// Every level -> one page of HTML, at the end.
-class DrawingPage {
- public:
-  explicit DrawingPage(const DrawArguments& arguments) : arguments_(arguments) {}
-
-  bool is_wanted() const { return !arguments_.html.empty(); }
-  void add(const LevelPictures& level, const LevelStream& stream) {
-    DrawArguments bare = arguments_;
-    bare.with_data = false;
-    page_.add_level(sheet_of(level, bare, DrawFormat::Svg),
-                    level_rows(stream.tree(), stream.decoder().level_bytes()).back());
-    const StreamInfo& info = stream.decoder().info();
-    facts_.model = level.model;
-    facts_.units = clean_text(info.source.units, kLongestTitle);
-    facts_.level_count =
-        arguments_.stream.last_level ? *arguments_.stream.last_level + 1 : info.level_count;
-  }
-  void finish() {
-    if (page_.level_count() > 0) write_output(arguments_.html, page_.finish(facts_));
-  }
-
- private:
-  const DrawArguments& arguments_;
-  HtmlPage page_;
-  HtmlPage::Facts facts_;
-};
 
 void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPage& page) {
   LevelStream stream(arguments.stream);
