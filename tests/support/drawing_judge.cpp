@@ -137,7 +137,8 @@ class Judge {
     for (const DrawnLine& line : lines) {
       const auto window = view_.clip(line.a, line.b);
       std::vector<Stroke> ignored;
-      if (window) add({line.a, line.b}, *window, line.is_hidden ? dashed : drawn, ignored);
+      if (!window) continue;
+      add({line.a, line.b}, *window, line.is_hidden ? dashed : drawn, ignored);
       (line.is_hidden ? result_.hidden_lines : result_.lines) += 1;
     }
     const double pad = 4 * distance_ * magnification(lines);

@@ -43,7 +43,7 @@ struct DrawingJudgement {
   double missed_hidden = 0;   ///< hidden, but no line is there; 0 if no hidden line is drawn
   double doubled_hidden = 0;  ///< hidden lines on any lines
   double doubtful = 0;        ///< seen edges that may be drawn or not: nearly flat
-  std::size_t lines = 0;
+  std::size_t lines = 0;      ///< in the view's window
   std::size_t hidden_lines = 0;
   std::size_t runs = 0;       ///< visible lines, had all been joined that continue each other
   std::size_t seen_runs = 0;  ///< seen parts of edges, all joined that continue each other
