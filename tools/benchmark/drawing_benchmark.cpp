@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include <limits>
+#include <optional>
 
 #include "client/lines/camera.hpp"
 #include "client/lines/visible_lines.hpp"
