@@ -24,6 +24,12 @@ constexpr FormatName kFormats[] = {{"svg", DrawFormat::Svg},   {"pdf", DrawForma
                                    {"plt", DrawFormat::Hpgl}};
 constexpr double kDefaultDpi = 200;
 
+/// What a format has room for.
+LineData data_of(DrawFormat format) {
+  if (format == DrawFormat::Svg || format == DrawFormat::Dxf) return LineData::Planes;
+  return format == DrawFormat::Pdf ? LineData::Source : LineData::None;
+}
+
 void check_page(const DrawArguments& arguments, DrawFormat format) {
   const bool is_png = !arguments.output.empty() && format == DrawFormat::Png;
   if (arguments.dpi && !is_png) throw UsageError("--dpi is for PNG");
@@ -74,8 +80,7 @@ Drawing sheet_of(const LevelPictures& level, const DrawArguments& arguments, Dra
   options.page = arguments.page;
   options.title = level.model + ", level " + std::to_string(level.level);
   options.colour_by_kind = arguments.colour_by_kind;
-  // A plotter wants long strokes, and has nowhere to put the data.
-  options.with_data = arguments.with_data && format != DrawFormat::Hpgl;
+  options.data = arguments.with_data ? data_of(format) : LineData::None;
   if (format == DrawFormat::Dxf && !options.page.scale && !options.page.paper) {
     options.page.scale = 1;
     options.page.margin_mm = 0;

@@ -45,7 +45,7 @@ std::optional<ClippedLine> clip_line(const Camera& camera, const Rectangle& fram
   const auto project = [&](double t) {
     return camera.project(t == 0 ? a : (t == 1 ? b : a + t * (b - a)));
   };
-  const ClippedLine line{project(begin), project(end), begin == 0 && end == 1};
+  const ClippedLine line{project(begin), project(end)};
   if (line.a == line.b) return std::nullopt;
   return line;
 }

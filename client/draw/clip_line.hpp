@@ -10,7 +10,6 @@ namespace spoctree {
 struct ClippedLine {
   Vec2 a{0.0};
   Vec2 b{0.0};
-  bool is_whole = true;  ///< nothing was cut off
 };
 
 /// The picture of the segment a b as far as it lies in the frame and, in a perspective, in front of

@@ -1,6 +1,7 @@
 // Strokes on a page: what every writer of a format gets.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -18,7 +19,7 @@ namespace spoctree {
 struct Stroke {
   std::uint32_t begin = 0;  ///< offsets into the group's points
   std::uint32_t end = 0;
-  PlaneRef planes[2];  ///< of the line; only in groups that have a source
+  std::optional<std::array<PlaneRef, 2>> planes;  ///< of the line, if the stroke is one
 };
 
 /// Strokes that have everything in common but their planes.

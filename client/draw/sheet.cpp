@@ -59,7 +59,6 @@ class Grid {
       at.y += heights_[r] * page.mm_per_unit + caption_mm_ + kGapMm;
     return at;
   }
-  double row_height(std::size_t k) const { return heights_[cells_[k] / columns_]; }
 
  private:
   std::size_t count_ = 0;
@@ -139,22 +138,43 @@ struct Placement {
   }
 };
 
+/// On the page, points nearer than this are one, and such a corner is none.
+constexpr double kTouchMm = 1e-6;
+
+bool goes_straight_on(Vec2 a, Vec2 b, Vec2 c) {
+  const Vec2 way = c - a;
+  const double length = glm::length(way);
+  const Vec2 to_corner = b - a;
+  const double across = (way.x * to_corner.y - way.y * to_corner.x) / length;
+  const double along = glm::dot(way, to_corner) / length;
+  return length > 0 && std::abs(across) < kTouchMm && along > 0 && along < length;
+}
+
+/// The run of the group's last stroke goes on to `end` if it ends at `begin`.
+bool extend_run(StrokeGroup& group, Vec2 begin, Vec2 end) {
+  if (group.strokes.empty() || glm::distance(group.points.back(), begin) > kTouchMm) return false;
+  Stroke& stroke = group.strokes.back();
+  Vec2* const last = &group.points.back();
+  if (stroke.end - stroke.begin >= 2 && goes_straight_on(last[-1], last[0], end)) {
+    *last = end;
+  } else {
+    group.points.push_back(end);
+    ++stroke.end;
+  }
+  return true;
+}
+
 void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
-               const Placement& on_page, bool with_data) {
-  const VisibleLine* last = nullptr;
+               const Placement& on_page, LineData data) {
   for (const VisibleLine& line : lines) {
     const auto clipped = clip_line(view.camera, view.frame, line.a, line.b);
     if (!clipped) continue;
-    StrokeGroup& group = groups.group(pen, with_data ? std::optional(line.source) : std::nullopt);
+    StrokeGroup& group =
+        groups.group(pen, data == LineData::None ? std::nullopt : std::optional(line.source));
     const Vec2 ends[] = {on_page(clipped->a), on_page(clipped->b)};
-    if (!with_data && last != nullptr && last->b == line.a && clipped->is_whole) {
-      group.points.push_back(ends[1]);
-      ++group.strokes.back().end;
-    } else {
-      add_stroke(group, ends);
-      for (int k = 0; with_data && k < 2; ++k) group.strokes.back().planes[k] = line.planes[k];
-    }
-    last = clipped->is_whole ? &line : nullptr;
+    if (data != LineData::Planes && extend_run(group, ends[0], ends[1])) continue;
+    add_stroke(group, ends);
+    if (data == LineData::Planes) group.strokes.back().planes = {line.planes[0], line.planes[1]};
   }
 }
 
@@ -178,8 +198,8 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
     const Vec2 middle = grid.middle_of(k, page);
     const Placement on_page{0.5 * (view.frame.lower + view.frame.upper), middle, page.mm_per_unit};
     for (const auto& [pen, lines] : lines_by_pen(pictures[k], options.colour_by_kind))
-      add_lines(groups, pen, lines, view, on_page, options.with_data);
-    const double below = 0.5 * grid.row_height(k) * page.mm_per_unit + kCaptionMm;
+      add_lines(groups, pen, lines, view, on_page, options.data);
+    const double below = 0.5 * size_of(view).y * page.mm_per_unit + kCaptionMm;
     add_caption(groups, view.name, middle + Vec2{0, below});
   }
   Drawing drawing;

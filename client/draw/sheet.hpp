@@ -16,18 +16,24 @@ struct Picture {
   VisibleLines lines;
 };
 
+/// What strokes know of the tree. The less, the longer they are.
+enum class LineData : std::uint8_t {
+  None,    ///< strokes are runs of lines of one pen
+  Source,  ///< and of one source
+  Planes   ///< each line is a stroke
+};
+
 struct SheetOptions {
   PageOptions page;
   std::string title;            ///< see Drawing
   bool colour_by_kind = false;  ///< inks of ink_of_kind
-  /// Each stroke is one line and knows its source and its planes. Otherwise strokes are runs of
-  /// lines that follow each other without lifting the pen.
-  bool with_data = true;
+  LineData data = LineData::Planes;
 };
 
-/// Pictures side by side in reading order, in as many columns as rows or more, each under its
-/// picture's name; frames of one column are centred, those of one row too. Lines are cut off at the
-/// frames; those of each pen are in a short pen order. Throws UsageError as `lay_out` does.
+/// Pictures side by side in reading order, in as many columns as rows or more, each above its
+/// name; frames of one column are centred, those of one row too. Lines are cut off at the
+/// frames; those of each pen are in a short pen order. In runs, lines that go straight on in the
+/// picture become one. Throws UsageError as `lay_out` does.
 /// REQUIRES: at least one picture; the first one does not lie over another.
 /// O(n log n) in the lines.
 Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,

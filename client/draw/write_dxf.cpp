@@ -132,13 +132,13 @@ class DxfWriter {
       entity("LINE", layer);
       point(points[0], 10);
       point(points[1], 11);
-      planes_of(group, stroke);
+      planes_of(stroke);
       return;
     }
     entity("POLYLINE", layer);
     pair(66, 1);  // vertices follow
     point({0, drawing_.height_mm}, 10);
-    planes_of(group, stroke);
+    planes_of(stroke);
     for (const Vec2 at : points) {
       entity("VERTEX", layer);
       point(at, 10);
@@ -149,10 +149,10 @@ class DxfWriter {
     pair(0, kind);
     pair(8, layer);
   }
-  void planes_of(const StrokeGroup& group, const Stroke& stroke) {
-    if (!group.source) return;
+  void planes_of(const Stroke& stroke) {
+    if (!stroke.planes) return;
     pair(1001, "SPOCTREE");
-    for (const PlaneRef plane : stroke.planes) pair(1000, name_of(plane, drawing_.universe));
+    for (const PlaneRef plane : *stroke.planes) pair(1000, name_of(plane, drawing_.universe));
   }
 
   const Drawing& drawing_;

@@ -66,8 +66,12 @@ void append_group_with_data(std::string& svg, const StrokeGroup& group, const Un
   for (const Stroke& stroke : group.strokes) {
     std::string data;
     if (!append_stroke(data, group.points_of(stroke))) continue;
-    paths += "<path data-planes=\"" + name_of(stroke.planes[0], universe) + ' ' +
-             name_of(stroke.planes[1], universe) + "\" d=\"" + data + "\"/>\n";
+    paths += "<path";
+    if (stroke.planes) {
+      paths += " data-planes=\"" + name_of((*stroke.planes)[0], universe) + ' ' +
+               name_of((*stroke.planes)[1], universe) + '"';
+    }
+    paths += " d=\"" + data + "\"/>\n";
   }
   if (paths.empty()) return;
   svg += "<g class=\"" + name_of(group.pen, ' ') + "\" data-node=\"" + name_of(*group.source) +

@@ -20,7 +20,7 @@ SheetOptions options(double longest_mm = 120, double margin_mm = 10) {
   SheetOptions result;
   result.page.longest_mm = longest_mm;
   result.page.margin_mm = margin_mm;
-  result.with_data = false;
+  result.data = LineData::None;
   return result;
 }
 
@@ -78,6 +78,18 @@ TEST(Sheet, MakesOneStrokeOfLinesThatFollowEachOther) {
   EXPECT_EQ(drawing.groups[1].strokes.size(), 1U);
 }
 
+TEST(Sheet, JoinsWhatGoesStraightOnInThePicture) {
+  // Seen from above, the second line starts where the first one ends, and goes on; then a corner.
+  const Picture top =
+      picture("", {0, 0, 1}, {{0, 0}, {3, 3}},
+              {line({0, 0, 0}, {1, 0, 0}), line({1, 0, 7}, {2, 0, 9}), line({2, 0, 1}, {2, 1, 1})});
+  const Drawing drawing = make_sheet({&top, 1}, Universe{}, options());
+  ASSERT_EQ(drawing.groups[0].strokes.size(), 1U);
+  const auto points = drawing.groups[0].points_of(drawing.groups[0].strokes[0]);
+  ASSERT_EQ(points.size(), 3U);
+  expect_near(points[1], {10 + 200.0 / 3, 110});
+}
+
 TEST(Sheet, WithDataEveryLineIsAStrokeOfItsSource) {
   VisibleLine convex = line({0, 0, 0}, {1, 0, 0});
   convex.source = {NodeKind::Convex, 2, true};
@@ -85,14 +97,15 @@ TEST(Sheet, WithDataEveryLineIsAStrokeOfItsSource) {
   VisibleLine grey = line({1, 0, 0}, {1, 1, 0});
   const Picture top = picture("", {0, 0, 1}, {{0, 0}, {1, 1}}, {convex, grey});
   SheetOptions with_data = options();
-  with_data.with_data = true;
+  with_data.data = LineData::Planes;
   with_data.colour_by_kind = true;
   const Drawing drawing = make_sheet({&top, 1}, Universe{}, with_data);
   ASSERT_EQ(drawing.groups.size(), 2U);
   EXPECT_EQ(drawing.groups[0].pen.ink, Ink::Grey);
   EXPECT_EQ(drawing.groups[1].pen.ink, Ink::Red);
   EXPECT_EQ(drawing.groups[1].source, convex.source);
-  EXPECT_EQ(drawing.groups[1].strokes[0].planes[0], PlaneRef::of_table(5));
+  ASSERT_TRUE(drawing.groups[1].strokes[0].planes.has_value());
+  EXPECT_EQ((*drawing.groups[1].strokes[0].planes)[0], PlaneRef::of_table(5));
 }
 
 TEST(Sheet, PutsPicturesSideBySideAtOneScaleWithCaptions) {
