@@ -2,45 +2,15 @@
 
 #include <algorithm>
 #include <cassert>
-#include <glm/common.hpp>
-#include <glm/geometric.hpp>
 
-#include "common/geometry/predicates.hpp"
+#include "common/geometry/edge_crossing.hpp"
 
 namespace spoctree {
 
-namespace {
-
-/// Bound of the rounding in normal . position - offset, for corners of polyhedra in the universe
-/// cube: three products of magnitude below 1 that sum up to sqrt(3) at most, and an offset below 2,
-/// err by less than 9 * 2^-53.
-constexpr double kValueError = 0x1p-49;
-
-/// Crossings are interpolated where that is good to this, which is what intersection_point
-/// promises, and computed from their planes elsewhere.
-constexpr double kInterpolationError = 0x1p-45;
-
-double value_at(const PolyhedronVertex& vertex, const Plane& plane) {
-  return glm::dot(plane.normal, vertex.position) - plane.offset;
-}
-
-/// `value` is value_at(vertex, plane).
-int side_of(const PolyhedronVertex& vertex, double value, PlaneRef carrier, const Plane& plane,
-            const PlaneSet& planes) {
-  // The vertex's own error is seen along a unit normal.
-  if (std::abs(value) > 0x1p-47 + 2 * vertex.error) return value > 0 ? 1 : -1;
-  for (const PlaneRef own : vertex.planes) {
-    if (own.carrier() == carrier) return 0;
-  }
-  return side_of_intersection(planes[vertex.planes[0]], planes[vertex.planes[1]],
-                              planes[vertex.planes[2]], plane);
-}
-
-}  // namespace
-
 int side_of_vertex(const PolyhedronVertex& vertex, PlaneRef plane, const PlaneSet& planes) {
   const Plane coefficients = planes[plane];
-  return side_of(vertex, value_at(vertex, coefficients), plane.carrier(), coefficients, planes);
+  return side_of_vertex(vertex, value_at(vertex, coefficients), plane.carrier(), coefficients,
+                        planes);
 }
 
 ClipResult PolyhedronClipper::clip(Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes) {
@@ -55,7 +25,7 @@ ClipResult PolyhedronClipper::cut(const Polyhedron& whole, PlaneRef plane, const
   const Parts parts = find_sides(whole, plane, coefficients, planes);
   if (!parts.inside) return ClipResult::Empty;
   if (!parts.outside) return ClipResult::Unchanged;
-  find_crossings(whole, plane, coefficients, planes);
+  find_crossings(whole, plane, planes);
   make_part(whole, true, plane, part);
   return ClipResult::Cut;
 }
@@ -70,7 +40,7 @@ PolyhedronClipper::Parts PolyhedronClipper::split(const Polyhedron& whole, Plane
   } else if (!parts.inside) {
     outside = whole;
   } else {
-    find_crossings(whole, plane, coefficients, planes);
+    find_crossings(whole, plane, planes);
     make_part(whole, true, plane, inside);
     make_part(whole, false, plane.flipped(), outside);
   }
@@ -87,7 +57,7 @@ PolyhedronClipper::Parts PolyhedronClipper::find_sides(const Polyhedron& polyhed
   for (std::size_t i = 0; i < count; ++i) {
     const PolyhedronVertex& vertex = polyhedron.vertices[i];
     const double value = value_at(vertex, coefficients);
-    const int side = side_of(vertex, value, plane.carrier(), coefficients, planes);
+    const int side = side_of_vertex(vertex, value, plane.carrier(), coefficients, planes);
     value_[i] = value;
     side_[i] = static_cast<signed char>(side);
     parts.inside |= side < 0;
@@ -99,7 +69,7 @@ PolyhedronClipper::Parts PolyhedronClipper::find_sides(const Polyhedron& polyhed
 /// The two faces of an edge see it in opposite directions. A face is convex, so its boundary leaves
 /// the inner side once at most: that says which crossing an edge has had from its other face.
 void PolyhedronClipper::find_crossings(const Polyhedron& polyhedron, PlaneRef plane,
-                                       const Plane& coefficients, const PlaneSet& planes) {
+                                       const PlaneSet& planes) {
   crossings_.clear();
   cuts_.resize_unset(polyhedron.faces.size());
   for (std::uint32_t f = 0; f < polyhedron.faces.size(); ++f) {
@@ -117,8 +87,11 @@ void PolyhedronClipper::find_crossings(const Polyhedron& polyhedron, PlaneRef pl
       const std::uint32_t across = loop[k].across;
       const auto number = [&](std::uint32_t FaceCut::*seen_from_there) {
         if (across < f) return cuts_[across].*seen_from_there;
-        crossings_.push_back(cross(polyhedron, loop[k].vertex, next, face.plane,
-                                   polyhedron.faces[across].plane, plane, coefficients, planes));
+        // In the order of their numbers, so that the plane may be either way round.
+        const auto [u, v] = std::minmax(loop[k].vertex, next);
+        crossings_.push_back(edge_crossing({&polyhedron.vertices[u], value_[u]},
+                                           {&polyhedron.vertices[v], value_[v]}, face.plane,
+                                           polyhedron.faces[across].plane, plane, planes));
         return static_cast<std::uint32_t>(crossings_.size() - 1);
       };
       if (here < 0) {
@@ -128,31 +101,6 @@ void PolyhedronClipper::find_crossings(const Polyhedron& polyhedron, PlaneRef pl
       }
     }
   }
-}
-
-/// Between two vertices at distances a and b from the plane that err by d, the parameter of the
-/// crossing, a / (a - b), errs by at most d / |a - b|.
-PolyhedronVertex PolyhedronClipper::cross(const Polyhedron& polyhedron, std::uint32_t u,
-                                          std::uint32_t v, PlaneRef face, PlaneRef across,
-                                          PlaneRef plane, const Plane& coefficients,
-                                          const PlaneSet& planes) const {
-  // In the order of their numbers, so that the plane may be either way round.
-  if (u > v) std::swap(u, v);
-  const PolyhedronVertex& from = polyhedron.vertices[u];
-  const PolyhedronVertex& to = polyhedron.vertices[v];
-  const double span = value_[u] - value_[v];
-  const Vec3 step = to.position - from.position;
-  const double length = std::max({std::abs(step.x), std::abs(step.y), std::abs(step.z)});
-  const double error = std::max(from.error, to.error);
-  // The ends' own errors, the parameter's, and the rounding of what is below; a little more because
-  // the length and the parameter are those of the ends as they are known.
-  const double bound =
-      1.001 * (error + length * (2 * error + kValueError) / std::abs(span)) + 0x1p-50;
-  if (std::abs(span) > 0x1p-30 && bound <= kInterpolationError) {
-    return {from.position + step * (value_[u] / span), bound, {face, across, plane}};
-  }
-  const ApproximatePoint point = intersection_point(planes[face], planes[across], coefficients);
-  return {point.position, point.error, {face, across, plane}};
 }
 
 /// `part` becomes what lies inside, or outside; `plane` is oriented away from it.

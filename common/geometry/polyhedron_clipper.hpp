@@ -48,11 +48,7 @@ class PolyhedronClipper {
 
   Parts find_sides(const Polyhedron& polyhedron, PlaneRef plane, const Plane& coefficients,
                    const PlaneSet& planes);
-  void find_crossings(const Polyhedron& polyhedron, PlaneRef plane, const Plane& coefficients,
-                      const PlaneSet& planes);
-  PolyhedronVertex cross(const Polyhedron& polyhedron, std::uint32_t u, std::uint32_t v,
-                         PlaneRef face, PlaneRef across, PlaneRef plane, const Plane& coefficients,
-                         const PlaneSet& planes) const;
+  void find_crossings(const Polyhedron& polyhedron, PlaneRef plane, const PlaneSet& planes);
   void make_part(const Polyhedron& polyhedron, bool keeps_inside, PlaneRef plane, Polyhedron& part);
 
   PlainVector<signed char> side_;  // of each vertex

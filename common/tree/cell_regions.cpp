@@ -17,6 +17,9 @@ constexpr double kRounding = 0x1p-43;
 /// More clips of a cube take longer than three of the parent's region.
 constexpr std::size_t kFewPlanes = 6;
 
+/// From so many planes on, cutting by all at once takes less time than by one after the other.
+constexpr std::size_t kManyPlanes = 128;
+
 }  // namespace
 
 CellRegions::Frame CellRegions::open(const Polyhedron* region) {
@@ -83,6 +86,7 @@ bool CellRegions::make(const NodeAddress& cell, std::span<const std::uint32_t> p
 }
 
 bool CellRegions::clip(Polyhedron& region, std::span<const std::uint32_t> planes) {
+  if (planes.size() >= kManyPlanes) return many_clipper_.clip(region, planes, planes_);
   return std::all_of(planes.begin(), planes.end(), [&](std::uint32_t plane) {
     return clipper_.clip(region, PlaneRef::of_table(plane), planes_) != ClipResult::Empty;
   });

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "common/geometry/half_space_clipper.hpp"
 #include "common/geometry/polyhedron_clipper.hpp"
 #include "common/tree/node_address.hpp"
 
@@ -58,6 +59,7 @@ class CellRegions {
 
   const PlaneSet planes_;
   PolyhedronClipper clipper_;
+  HalfSpaceClipper many_clipper_;
   PlainVector<Bound> bounds_;
 };
 

@@ -1,10 +1,6 @@
 // A mesh file and the .spo file made of it -> what a judge that knows only the mesh says of the
 // levels. The mesh is read by CGAL, points are located by CGAL's exact predicates.
 // Usage: judge_model MESH MODEL.spo [--points N] [--nearest D] [--moved D] [--rebuilt FILE.off]
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/polygon_soup_io.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -20,6 +16,7 @@
 #include "common/tree/pieces.hpp"
 #include "common/tree/query_index.hpp"
 #include "common/wire/spo_file.hpp"
+#include "tests/support/cgal_mesh.hpp"
 #include "tests/support/mesh_judge.hpp"
 
 namespace spoctree {
@@ -35,19 +32,6 @@ struct Options {
   double nearest = 1e-6;  // of the diagonal: points closer to the surface are not judged
   double moved = 0;       // of the diagonal: the solid served may be so far from the mesh
 };
-
-PlainMesh read_with_cgal(const std::string& path) {
-  using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> faces;
-  if (!CGAL::IO::read_polygon_soup(path, points, faces))
-    throw BadInput(path + ": CGAL cannot read");
-  CGAL::Polygon_mesh_processing::merge_duplicate_points_in_polygon_soup(points, faces);
-  PlainMesh mesh;
-  for (const Point& p : points) mesh.points.emplace_back(p.x(), p.y(), p.z());
-  for (const auto& face : faces) mesh.faces.emplace_back(face.begin(), face.end());
-  return mesh;
-}
 
 /// The uncertain pieces of a level, by their corners.
 struct GreyPieces : PieceVisitor {

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <numeric>
 #include <optional>
 #include <sstream>
 
-#include "tests/support/near_parts.hpp"
-#include "tests/support/picture_grid.hpp"
+#include "tests/support/strokes.hpp"
 
 namespace spoctree {
 
@@ -18,101 +16,6 @@ namespace {
 constexpr double kContinues = 1e-9;
 /// What `is_good` allows, of the length seen.
 constexpr double kMostWrong = 1e-5;
-
-/// A segment in space and in the picture (z = 0).
-struct Stroke {
-  Segment space;
-  Segment picture;
-
-  double length() const { return glm::distance(picture.a, picture.b); }
-};
-
-PictureOutline outline_of(const Segment& picture) {
-  return {{glm::dvec2(picture.a), glm::dvec2(picture.b), {}, {}}, 2};
-}
-
-/// Strokes, the longest first, and where they are.
-class Strokes {
- public:
-  Strokes(std::vector<Stroke> strokes, double pad, double half_width)
-      : strokes_(sorted(std::move(strokes))), grid_(outlines(strokes_), pad, half_width) {}
-
-  const std::vector<Stroke>& all() const { return strokes_; }
-
-  /// The parts of a stroke in the picture that are near one of these.
-  Parts near(const Stroke& stroke, double distance) {
-    Parts parts;
-    for (const std::uint32_t k : grid_.near(outline_of(stroke.picture))) {
-      const auto part = part_near(stroke.picture, strokes_[k].picture, distance);
-      if (part) parts.push_back(*part);
-    }
-    return united(std::move(parts));
-  }
-
-  /// The same in space; parts of the segment in space.
-  Parts near_in_space(const Stroke& stroke, double distance) {
-    Parts parts;
-    for (const std::uint32_t k : grid_.near(outline_of(stroke.picture))) {
-      const auto part = part_near(stroke.space, strokes_[k].space, distance);
-      if (part) parts.push_back(*part);
-    }
-    return united(std::move(parts));
-  }
-
-  /// The parts of a stroke in the picture along which one of the first `count` of these lies.
-  Parts along(const Stroke& stroke, double distance, std::size_t count) {
-    Parts parts;
-    for (const std::uint32_t k : grid_.near(outline_of(stroke.picture))) {
-      if (k >= count) continue;
-      const auto part = part_along(stroke.picture, strokes_[k].picture, distance);
-      if (part && part->first < part->second) parts.push_back(*part);
-    }
-    return united(std::move(parts));
-  }
-  Parts along(const Stroke& stroke, double distance) {
-    return along(stroke, distance, strokes_.size());
-  }
-
-  /// How many lines are left if all that continue each other, or overlap, become one.
-  std::size_t count_runs(double distance) {
-    std::vector<std::uint32_t> parent(strokes_.size());
-    std::iota(parent.begin(), parent.end(), 0u);
-    const auto root = [&](std::uint32_t k) {
-      while (parent[k] != k) k = parent[k] = parent[parent[k]];
-      return k;
-    };
-    for (std::uint32_t k = 0; k < strokes_.size(); ++k) {
-      const Segment& shorter = strokes_[k].picture;
-      for (const std::uint32_t other : grid_.near(outline_of(shorter))) {
-        if (other >= k) continue;
-        const Segment& longer = strokes_[other].picture;
-        const Vec3 axis = glm::normalize(longer.b - longer.a);
-        const auto off = [&](Vec3 p) { return glm::length(glm::cross(axis, p - longer.a)); };
-        if (off(shorter.a) > distance || off(shorter.b) > distance) continue;
-        if (part_along(longer, shorter, distance)) parent[root(k)] = root(other);
-      }
-    }
-    std::size_t runs = 0;
-    for (std::uint32_t k = 0; k < parent.size(); ++k) runs += parent[k] == k;
-    return runs;
-  }
-
- private:
-  static std::vector<Stroke> sorted(std::vector<Stroke> strokes) {
-    std::stable_sort(strokes.begin(), strokes.end(), [](const Stroke& one, const Stroke& other) {
-      return one.length() > other.length();
-    });
-    return strokes;
-  }
-  static std::vector<PictureOutline> outlines(const std::vector<Stroke>& strokes) {
-    std::vector<PictureOutline> result;
-    for (const Stroke& stroke : strokes) result.push_back(outline_of(stroke.picture));
-    return result;
-  }
-
-  std::vector<Stroke> strokes_;
-  PictureGrid grid_;
-};
 
 class Judge {
  public:

@@ -5,13 +5,14 @@
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <stdexcept>
+
+#include "tests/support/cgal_mesh.hpp"
 
 namespace spoctree {
 
@@ -29,32 +30,6 @@ Point to_point(Vec3 p) { return {p.x, p.y, p.z}; }
 Vec3 to_vec(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 using Corners = std::array<std::uint32_t, 3>;
-
-/// Each polygon on its own, so that surfaces that are no manifolds do as well.
-void triangulate(const PlainMesh& mesh, const std::vector<std::uint32_t>& face,
-                 std::vector<Corners>& triangles) {
-  if (face.size() == 3) {
-    triangles.push_back({face[0], face[1], face[2]});
-    return;
-  }
-  Surface polygon;
-  std::vector<Surface::Vertex_index> corners;
-  for (const std::uint32_t corner : face) {
-    corners.push_back(polygon.add_vertex(to_point(mesh.points[corner])));
-  }
-  if (polygon.add_face(corners) == Surface::null_face() ||
-      !CGAL::Polygon_mesh_processing::triangulate_faces(polygon)) {
-    throw std::runtime_error("a polygon cannot be triangulated");
-  }
-  for (const auto triangle : polygon.faces()) {
-    Corners found{};
-    std::size_t k = 0;
-    for (const auto vertex : vertices_around_face(polygon.halfedge(triangle), polygon)) {
-      found.at(k++) = face[static_cast<std::size_t>(vertex)];
-    }
-    triangles.push_back(found);
-  }
-}
 
 }  // namespace
 
@@ -87,7 +62,10 @@ struct MeshJudge::Data {
 MeshJudge::MeshJudge(const PlainMesh& mesh) {
   auto data = std::make_unique<Data>();
   data->points = mesh.points;
-  for (const auto& face : mesh.faces) triangulate(mesh, face, data->corners);
+  for (const auto& face : mesh.faces) {
+    const auto triangles = triangulate_with_cgal(mesh.points, face);
+    data->corners.insert(data->corners.end(), triangles.begin(), triangles.end());
+  }
   double area = 0;
   data->lower = data->upper = mesh.points.at(0);
   std::vector<Surface::Vertex_index> vertices;
