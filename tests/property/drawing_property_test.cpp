@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <ostream>
 
 #include "client/lines/line_scene.hpp"
 #include "client/lines/visible_lines.hpp"
@@ -31,6 +32,8 @@ const std::vector<TriedView> kViews = {
     {"general", {0.55, -0.71, 0.44}},
     {"front", {0, -1, 0}},
     {"top", {0, 0, 1}},
+    {"almost front", {0.002, -1, 0.001}},
+    {"hardly off the front", {1e-7, -1, -2e-7}},
     {"diagonal", {1, 1, 0}},
     {"cube's diagonal", {-1, 1, 1}},
     {"eye", {}, {2.1, -3.3, 1.7}, {0.1, 0, -0.1}},
@@ -100,6 +103,8 @@ struct TriedModel {
   const char* name;
   std::optional<int> size;
 };
+
+void PrintTo(const TriedModel& model, std::ostream* out) { *out << model.name; }
 
 class DrawingsOfModels : public testing::TestWithParam<TriedModel> {};
 
