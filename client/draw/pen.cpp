@@ -51,11 +51,13 @@ Rgb colour_of(const Pen& pen) {
   return kInkColours[static_cast<int>(pen.ink)];
 }
 
+const char* name_of(Ink ink) { return kInkNames[static_cast<int>(ink)]; }
+
 std::string name_of(const Pen& pen, char separator) {
   std::string name = kUseNames[static_cast<int>(pen.use)];
   if (pen.is_step) name = name + separator + "step";
   if (pen.hidden) name = name + separator + "hidden";
-  if (pen.ink != Ink::Black) name = name + separator + kInkNames[static_cast<int>(pen.ink)];
+  if (pen.ink != Ink::Black) name = name + separator + name_of(pen.ink);
   return name;
 }
 

@@ -38,6 +38,9 @@ struct Pen {
   bool operator==(const Pen&) const = default;
 };
 
+/// "black", ..., "left-eye".
+const char* name_of(Ink ink);
+
 struct Rgb {
   std::uint8_t red = 0, green = 0, blue = 0;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <vector>
 
 namespace spoctree {
@@ -16,13 +17,24 @@ int colour_number(const Pen& pen) {
   return kInkColours[static_cast<int>(pen.ink)];
 }
 
+/// At most 31 characters, as R12 wants them: "SILHOUETTE_STEP_R_CONCAVE_30I" is the longest.
 std::string layer_of(const StrokeGroup& group) {
-  std::string name = name_of(group.pen, '_');
-  if (group.source)
-    name += '_' + name_of(*group.source) + '_' + std::to_string(group.source->level);
+  const Pen& pen = group.pen;
+  Pen use;
+  use.use = pen.use;
+  std::string name = pen.hidden ? "hidden" : name_of(use, '_');
+  if (pen.is_step) name += "_step";
+  if (pen.ink == Ink::LeftEye || pen.ink == Ink::RightEye) {
+    name += pen.ink == Ink::LeftEye ? "_l" : "_r";
+  } else if (pen.ink != Ink::Black && !group.source) {
+    name += std::string("_") + name_of(pen.ink);
+  }
+  if (group.source) {
+    name += std::string("_") + name_of(group.source->kind) + '_' +
+            std::to_string(group.source->level) + (group.source->is_inherited ? "i" : "");
+  }
   for (char& c : name) {
     if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-    if (c == '/') c = '_';
   }
   return name;
 }
@@ -87,9 +99,8 @@ class DxfWriter {
     line_type("CONTINUOUS", "Solid line", {});
     line_type("DASHED", "__ __ __", {kDashMm, -kDashGapMm});
     pair(0, "ENDTAB");
-    std::vector<std::pair<std::string, Pen>> layers;
-    for (const StrokeGroup& group : drawing_.groups)
-      layers.emplace_back(layer_of(group), group.pen);
+    std::map<std::string, Pen> layers;
+    for (const StrokeGroup& group : drawing_.groups) layers.emplace(layer_of(group), group.pen);
     table("LAYER", static_cast<int>(layers.size()) + 1);
     layer("0", {});
     for (const auto& [name, pen] : layers) layer(name, pen);

@@ -88,7 +88,7 @@ TEST(Svg, EscapesTheTitle) {
 TEST(Dxf, HoldsTheSegmentsOnLayers) {
   const auto segments = read_dxf(to_dxf(sample_drawing()));
   expect_segments(segments,
-                  {{{90, 2.5}, {90, 52.5}, "CREASE_HIDDEN"},
+                  {{{90, 2.5}, {90, 52.5}, "HIDDEN"},
                    {{1, 60.5}, {3.5, 58.25}, "CREASE_CONVEX_3"},
                    {{10, 60.5}, {5, 60.5}, "CREASE_CONVEX_3"},
                    {{20, 42.5}, {30, 42.5}, "SILHOUETTE"},
@@ -119,9 +119,35 @@ TEST(Dxf, DeclaresWhatItUses) {
   EXPECT_EQ(open_tables, 0);
   EXPECT_EQ(line_type_of_layer,
             (std::map<std::string, std::string>{{"0", "CONTINUOUS"},
-                                                {"CREASE_HIDDEN", "DASHED"},
+                                                {"HIDDEN", "DASHED"},
                                                 {"CREASE_CONVEX_3", "CONTINUOUS"},
                                                 {"SILHOUETTE", "CONTINUOUS"}}));
+}
+
+TEST(Dxf, LayersHaveNamesThatR12Takes) {
+  Drawing drawing;
+  drawing.width_mm = drawing.height_mm = 10;
+  for (const PenUse use : {PenUse::Crease, PenUse::Silhouette}) {
+    for (const bool hidden : {false, true}) {
+      for (int ink = 0; ink < kInkCount; ++ink) {
+        StrokeGroup group =
+            group_of({hidden, use, true, static_cast<Ink>(ink)}, {{{0, 0}, {1, 1}}});
+        drawing.groups.push_back(group);
+        group.source = LineSource{NodeKind::Concave, 30, true};
+        drawing.groups.push_back(group);
+      }
+    }
+  }
+  std::map<std::string, int> declared;
+  std::string kind;
+  for (const auto& [code, value] : read_dxf_pairs(to_dxf(drawing))) {
+    if (code == 0) kind = value;
+    if (code == 2 && kind == "LAYER") ++declared[value];
+    if (code != 8) continue;
+    EXPECT_EQ(declared[value], 1) << value;
+    EXPECT_LE(value.size(), 31U) << value;
+    EXPECT_EQ(value.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_"), std::string::npos);
+  }
 }
 
 TEST(Hpgl, HoldsTheSegmentsWithAPenForEachClass) {
