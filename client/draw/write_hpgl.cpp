@@ -25,7 +25,10 @@ class HpglWriter {
 
   void take_pen(const Pen& pen) {
     const int number = plotter_pen(pen);
-    if (number != pen_) text_ += "SP" + std::to_string(number) + ";\n";
+    if (number != pen_) {
+      text_ += "SP" + std::to_string(number) + ";\n";
+      at_ = {-1, -1};  // wherever the plotter fetched the pen from
+    }
     pen_ = number;
     // A dash and its gap as in other formats: a pattern of so many percent of the page's diagonal
     // would depend on the plotter, one in millimetres (mode 1) does not.

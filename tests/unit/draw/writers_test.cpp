@@ -166,6 +166,14 @@ TEST(Hpgl, LiftsThePenOnlyWhereTheLineEnds) {
   EXPECT_EQ(hpgl, "IN;\nSP2;\nPU0,0;PD400,0;\nPD400,400;\nPU400,800;PD0,800;\nPU;\nSP0;\n");
 }
 
+TEST(Hpgl, GoesToTheLinesBeginningWithAPenJustTaken) {
+  Drawing drawing = drawing_of({{{0, 50}, {10, 50}}});
+  Pen silhouette;
+  silhouette.use = PenUse::Silhouette;
+  drawing.groups.push_back(group_of(silhouette, {{{10, 50}, {10, 40}}}));
+  EXPECT_NE(to_hpgl(drawing).find("SP1;\nPU400,0;PD400,400;\n"), std::string::npos);
+}
+
 TEST(Hpgl, RefusesAPageBeyondItsNumbers) {
   Drawing drawing = drawing_of({{{0, 0}, {1, 1}}});
   drawing.width_mm = 300'000;
