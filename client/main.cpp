@@ -5,6 +5,7 @@
 
 #include "client/commands/commands.hpp"
 #include "client/commands/draw_options.hpp"
+#include "client/commands/parse_level.hpp"
 #include "common/base/errors.hpp"
 #include "common/program/run_program.hpp"
 #include "common/program/threads.hpp"

@@ -1,10 +1,8 @@
 #include "client/commands/draw_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
-#include "client/commands/draw_formats.hpp"
-#include "client/draw/write_png.hpp"
+#include "client/commands/parse_level.hpp"
 #include "common/base/errors.hpp"
 #include "common/base/parse_number.hpp"
 
@@ -197,14 +195,6 @@ DrawArguments DrawOptions::arguments() const {
   if (!texts.page.empty()) parse_paper(texts.page, arguments.page);
   if (!texts.dpi.empty()) arguments.dpi = parse_number(texts.dpi, "--dpi", "a number");
   return arguments;
-}
-
-std::uint32_t parse_level(const std::string& text) {
-  const ParsedInteger level = parse_integer(text);
-  if (level.fault != nullptr || level.value < 0 || level.value >= kMaxLevels)
-    throw UsageError("--level: '" + text + "' should be a number from 0 to " +
-                     std::to_string(kMaxLevels - 1));
-  return static_cast<std::uint32_t>(level.value);
 }
 
 }  // namespace spoctree

@@ -29,7 +29,4 @@ class DrawOptions {
   std::unique_ptr<Texts> texts_;
 };
 
-/// Throws UsageError: "--level: 'x' should be a number from 0 to 30".
-std::uint32_t parse_level(const std::string& text);
-
 }  // namespace spoctree

@@ -46,8 +46,8 @@ double width_mm(const Pen& pen) {
 }
 
 Rgb colour_of(const Pen& pen) {
-  if (pen.ink == Ink::Black && pen.is_step) return {150, 150, 150};
   if (pen.ink == Ink::Black && pen.hidden) return {100, 100, 100};
+  if (pen.ink == Ink::Black && pen.is_step) return {150, 150, 150};
   return kInkColours[static_cast<int>(pen.ink)];
 }
 

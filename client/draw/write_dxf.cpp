@@ -13,7 +13,7 @@ namespace {
 constexpr int kInkColours[kInkCount] = {7, 8, 94, 5, 2, 1, 6, 4, 1};
 
 int colour_number(const Pen& pen) {
-  if (pen.ink == Ink::Black && (pen.is_step || pen.hidden)) return pen.is_step ? 9 : 8;
+  if (pen.ink == Ink::Black && (pen.is_step || pen.hidden)) return pen.hidden ? 8 : 9;
   return kInkColours[static_cast<int>(pen.ink)];
 }
 
