@@ -19,6 +19,12 @@ bool is_wanted(const VisibleLine& line, const DrawArguments& arguments) {
   return line.kind == LineKind::Crease ? arguments.with_creases : arguments.with_silhouettes;
 }
 
+/// Lines on the border of a frame are in it for certain, however they are rounded.
+Rectangle with_border(const Rectangle& frame) {
+  const Vec2 border = 1e-6 * (frame.upper - frame.lower);
+  return {frame.lower - border, frame.upper + border};
+}
+
 LevelPictures draw_level(const LevelStream& stream, const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
   LevelPictures level;
@@ -28,11 +34,13 @@ LevelPictures draw_level(const LevelStream& stream, const DrawArguments& argumen
   LineOptions options;
   options.crease_angle_deg = arguments.crease_angle_deg;
   options.with_hidden_lines = arguments.with_hidden_lines;
+  options.split_by_source = arguments.colour_by_kind;
   const LineScene scene(tree, rebuild_surface(tree, level.level), level.level);
   for (View& view : make_views(arguments.view, tree)) {
+    options.frame = with_border(view.frame);
     VisibleLines lines = visible_lines(scene, view.camera, options);
     std::erase_if(lines, [&](const VisibleLine& line) { return !is_wanted(line, arguments); });
-    level.pictures.push_back({std::move(view), std::move(lines)});
+    level.pictures.push_back(make_picture(std::move(view), lines));
   }
   return level;
 }

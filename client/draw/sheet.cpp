@@ -5,7 +5,7 @@
 #include <map>
 #include <tuple>
 
-#include "client/draw/clip_line.hpp"
+#include "client/draw/clip_lines.hpp"
 #include "client/draw/lettering.hpp"
 #include "client/lines/arrange_lines.hpp"
 
@@ -167,11 +167,10 @@ bool extend_run(StrokeGroup& group, Vec2 begin, Vec2 end) {
 void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
                const Placement& on_page, LineData data) {
   for (const VisibleLine& line : lines) {
-    const auto clipped = clip_line(view.camera, view.frame, line.a, line.b);
-    if (!clipped) continue;
     StrokeGroup& group =
         groups.group(pen, data == LineData::None ? std::nullopt : std::optional(line.source));
-    const Vec2 ends[] = {on_page(clipped->a), on_page(clipped->b)};
+    const Vec2 ends[] = {on_page(view.camera.project(line.a)),
+                         on_page(view.camera.project(line.b))};
     if (data != LineData::Planes && extend_run(group, ends[0], ends[1])) continue;
     add_stroke(group, ends);
     if (data == LineData::Planes) group.strokes.back().planes = {line.planes[0], line.planes[1]};
@@ -187,6 +186,11 @@ void add_caption(GroupCollector& groups, const std::string& name, Vec2 middle) {
 }
 
 }  // namespace
+
+Picture make_picture(View view, const VisibleLines& lines) {
+  VisibleLines clipped = clip_lines(lines, view.camera, view.frame);
+  return {std::move(view), std::move(clipped)};
+}
 
 Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
                    const SheetOptions& options) {

@@ -13,8 +13,11 @@ namespace spoctree {
 /// What one view shows.
 struct Picture {
   View view;
-  VisibleLines lines;
+  VisibleLines lines;  ///< within the view's frame
 };
+
+/// Cuts the lines off at the view's frame.
+Picture make_picture(View view, const VisibleLines& lines);
 
 /// What strokes know of the tree. The less, the longer they are.
 enum class LineData : std::uint8_t {
@@ -31,8 +34,8 @@ struct SheetOptions {
 };
 
 /// Pictures side by side in reading order, in as many columns as rows or more, each above its
-/// name; frames of one column are centred, those of one row too. Lines are cut off at the
-/// frames; those of each pen are in a short pen order. In runs, lines that go straight on in the
+/// name; frames of one column are centred, those of one row too. Lines of each pen are in a short
+/// pen order. In runs, lines that go straight on in the
 /// picture become one. Throws UsageError as `lay_out` does.
 /// REQUIRES: at least one picture; the first one does not lie over another.
 /// O(n log n) in the lines.

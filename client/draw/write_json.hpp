@@ -15,8 +15,8 @@ namespace spoctree {
 /// model coordinates for perspectives. Lines: {"a":[x,y,z],"b":...,"kind":"crease" or "silhouette",
 /// "hidden":false,"step":false,"planes":[...],"node":"convex","level":3,"inherited":false,"view":0}:
 /// end points in model coordinates, the number of each plane in the plane table or the cell wall it
-/// is, as in "x=12.5" (name_of), where the tree has the line from, and the index of its view. Lines
-/// are not cut off at frames. Numbers are the shortest decimals that read back as the same doubles.
+/// is, as in "x=12.5" (name_of), where the tree has the line from, and the index of its view.
+/// Numbers are the shortest decimals that read back as the same doubles.
 std::string to_json(std::span<const Picture> pictures, const Universe& universe,
                     std::string_view model, std::uint32_t level);
 

@@ -12,8 +12,8 @@ VisibleLine line(Vec3 a, Vec3 b, LineKind kind = LineKind::Crease) {
   return {a, b, kind, false, false, {}, {}};
 }
 
-Picture picture(const char* name, Vec3 from, Rectangle frame, VisibleLines lines) {
-  return {{name, Camera(from), frame, Ink::Black, false}, std::move(lines)};
+Picture picture(const char* name, Vec3 from, Rectangle frame, const VisibleLines& lines) {
+  return make_picture({name, Camera(from), frame, Ink::Black, false}, lines);
 }
 
 SheetOptions options(double longest_mm = 120, double margin_mm = 10) {
@@ -146,7 +146,8 @@ TEST(Sheet, CutsOffWhatIsBehindAnEye) {
   Picture inside = picture("", {0, 0, 1}, {{-1, -1}, {1, 1}}, {});
   inside.view.camera = Camera::perspective({0, 0, 0}, {0, 1, 0});
   // From behind the eye to (1, 2, 0), which is seen half way to the right.
-  inside.lines = {line({1, -5, 0}, {1, 2, 0}), line({0.5, -1, 0}, {0.5, -9, 0})};
+  inside =
+      make_picture(inside.view, {line({1, -5, 0}, {1, 2, 0}), line({0.5, -1, 0}, {0.5, -9, 0})});
   const Drawing drawing = make_sheet({&inside, 1}, Universe{}, options(120, 10));
   ASSERT_EQ(drawing.groups[0].strokes.size(), 1U);
   EXPECT_NEAR(drawing.groups[0].points[0].x, 110, 1e-6);

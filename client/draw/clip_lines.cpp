@@ -1,4 +1,4 @@
-#include "client/draw/clip_line.hpp"
+#include "client/draw/clip_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,27 +27,35 @@ std::array<double, 5> insides(const Camera& camera, const Rectangle& frame, Vec3
           y - (frame.lower.y - slack) * unit, (frame.upper.y + slack) * unit - y, before_viewer};
 }
 
-}  // namespace
-
-std::optional<ClippedLine> clip_line(const Camera& camera, const Rectangle& frame, Vec3 a, Vec3 b) {
-  const auto inside_a = insides(camera, frame, a);
-  const auto inside_b = insides(camera, frame, b);
+/// Shortens the line; false if none of it, or no more than a point, is left.
+bool clip(VisibleLine& line, const Camera& camera, const Rectangle& frame) {
+  const auto inside_a = insides(camera, frame, line.a);
+  const auto inside_b = insides(camera, frame, line.b);
   double begin = 0;
   double end = 1;
   for (std::size_t side = 0; side < inside_a.size(); ++side) {
     const double at_a = inside_a[side];
     const double at_b = inside_b[side];
-    if (at_a < 0 && at_b < 0) return std::nullopt;
+    if (at_a < 0 && at_b < 0) return false;
     if (at_a < 0) begin = std::max(begin, at_a / (at_a - at_b));
     if (at_b < 0) end = std::min(end, at_a / (at_a - at_b));
   }
-  if (begin >= end) return std::nullopt;
-  const auto project = [&](double t) {
-    return camera.project(t == 0 ? a : (t == 1 ? b : a + t * (b - a)));
-  };
-  const ClippedLine line{project(begin), project(end)};
-  if (line.a == line.b) return std::nullopt;
-  return line;
+  const Vec3 way = line.b - line.a;
+  const Vec3 a = line.a;
+  if (begin > 0) line.a = a + begin * way;
+  if (end < 1) line.b = a + end * way;
+  return begin < end && camera.project(line.a) != camera.project(line.b);
+}
+
+}  // namespace
+
+VisibleLines clip_lines(const VisibleLines& lines, const Camera& camera, const Rectangle& frame) {
+  VisibleLines clipped;
+  clipped.reserve(lines.size());
+  for (VisibleLine line : lines) {
+    if (clip(line, camera, frame)) clipped.push_back(line);
+  }
+  return clipped;
 }
 
 }  // namespace spoctree
