@@ -1,5 +1,6 @@
 #include <cstdio>
 #include <optional>
+#include <vector>
 
 #include "client/commands/commands.hpp"
 #include "client/commands/draw_formats.hpp"
@@ -8,6 +9,7 @@
 #include "client/rebuild/surface.hpp"
 #include "common/base/errors.hpp"
 #include "common/base/interruption.hpp"
+#include "common/base/parallel.hpp"
 #include "common/wire/text.hpp"
 
 namespace spoctree {
@@ -25,35 +27,40 @@ Rectangle with_border(const Rectangle& frame) {
   return {frame.lower - border, frame.upper + border};
 }
 
-LevelPictures draw_level(const LevelStream& stream, const DrawArguments& arguments) {
+LevelPictures draw_level(const LevelStream& stream, const std::vector<View>& views,
+                         const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
   LevelPictures level;
   level.model = clean_text(stream.model_name(), kLongestTitle);
   level.level = stream.level();
   level.universe = tree.universe;
-  LineOptions options;
-  options.crease_angle_deg = arguments.crease_angle_deg;
-  options.with_hidden_lines = arguments.with_hidden_lines;
-  options.split_by_source = arguments.colour_by_kind;
+  level.pictures.resize(views.size());
   const LineScene scene(tree, rebuild_surface(tree, level.level), level.level);
-  for (View& view : make_views(arguments.view, tree)) {
-    options.frame = with_border(view.frame);
-    VisibleLines lines = visible_lines(scene, view.camera, options);
+  parallel_for(views.size(), [&](std::size_t k) {
+    LineOptions options;
+    options.crease_angle_deg = arguments.crease_angle_deg;
+    options.with_hidden_lines = arguments.with_hidden_lines;
+    options.split_by_source = arguments.colour_by_kind;
+    options.frame = with_border(views[k].frame);
+    VisibleLines lines = visible_lines(scene, views[k].camera, options);
     std::erase_if(lines, [&](const VisibleLine& line) { return !is_wanted(line, arguments); });
-    level.pictures.push_back(make_picture(std::move(view), lines));
-  }
+    level.pictures[k] = make_picture(views[k], lines);
+  });
   return level;
 }
 
 void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPage& page) {
   LevelStream stream(arguments.stream);
+  std::vector<View> views;
   const auto draw = [&] {
     stream.progress_line().show("drawing level " + std::to_string(stream.level()));
-    return draw_level(stream, arguments);
+    return draw_level(stream, views, arguments);
   };
   LevelPictures last;
   // While a level is drawn, the next one waits in the socket.
   while (stream.next_level()) {
+    // The first level says how large the model is: views are the same for all levels.
+    if (views.empty()) views = make_views(arguments.view, stream.tree());
     if (!arguments.all_levels && !page.is_wanted()) continue;
     last = draw();
     if (arguments.all_levels) files.add(last);
