@@ -46,23 +46,34 @@ constexpr std::uint32_t kManyEntries = 64;
 
 }  // namespace
 
-CoveredPicture::CoveredPicture(const Rectangle& bounds, std::uint32_t tiles_per_side,
-                               double tolerance)
-    : tiles_per_side_(tiles_per_side), tolerance_(tolerance) {
+CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles, double tolerance)
+    : tolerance_(tolerance) {
   // A little larger and off the bounds, by fractions that keep the borders of tiles away from the
   // walls of cells in views along the axes.
-  const Vec2 size = bounds.upper - bounds.lower;
-  const double side = std::max(size.x, size.y);
-  lower_ = bounds.lower - Vec2{0.01237, 0.01193} * side;
-  tile_size_ = side * 1.03141 / tiles_per_side;
-  words_per_row_ = (tiles_per_side + 63) / 64;
-  tiles_.resize(std::size_t{tiles_per_side} * tiles_per_side);
-  full_.assign(words_per_row_ * tiles_per_side, 0);
+  const Vec2 size = 1.03141 * glm::max(bounds.upper - bounds.lower, Vec2{tolerance, tolerance});
+  lower_ = bounds.lower - Vec2{0.01237, 0.01193} * size;
+  const auto count = static_cast<double>(std::max<std::size_t>(tiles, 1));
+  tile_size_ = std::max(std::sqrt(size.x * size.y / count), std::max(size.x, size.y) / count);
+  for (int axis = 0; axis < 2; ++axis) {
+    tiles_along_[axis] = static_cast<std::int64_t>(std::ceil(size[axis] / tile_size_));
+  }
+  words_per_row_ = static_cast<std::size_t>((tiles_along_[0] + 63) / 64);
+  const auto rows = static_cast<std::size_t>(tiles_along_[1]);
+  tiles_.resize(static_cast<std::size_t>(tiles_along_[0]) * rows);
+  std::size_t number = 0;
+  for (std::int64_t row = 0; row < tiles_along_[1]; ++row) {
+    for (std::int64_t column = 0; column < tiles_along_[0]; ++column, ++number) {
+      const Vec2 lower = lower_corner(column, row);
+      tiles_[number].open = {lower, lower + Vec2{tile_size_, tile_size_}};
+    }
+  }
+  full_.assign(words_per_row_ * rows, 0);
 }
 
 std::int64_t CoveredPicture::column_of(double coordinate, int axis) const {
   const double column = std::floor((coordinate - lower_[axis]) / tile_size_);
-  return static_cast<std::int64_t>(std::clamp(column, -1.0, static_cast<double>(tiles_per_side_)));
+  return static_cast<std::int64_t>(
+      std::clamp(column, -1.0, static_cast<double>(tiles_along_[axis])));
 }
 
 Vec2 CoveredPicture::lower_corner(std::int64_t column, std::int64_t row) const {
@@ -76,9 +87,9 @@ void CoveredPicture::mark_full(std::int64_t column, std::int64_t row) {
 
 bool CoveredPicture::is_full(const Rectangle& rectangle) const {
   const std::int64_t left = std::max<std::int64_t>(column_of(rectangle.lower.x, 0), 0);
-  const std::int64_t right = std::min(column_of(rectangle.upper.x, 0), tiles_per_side_ - 1);
+  const std::int64_t right = std::min(column_of(rectangle.upper.x, 0), tiles_along_[0] - 1);
   const std::int64_t bottom = std::max<std::int64_t>(column_of(rectangle.lower.y, 1), 0);
-  const std::int64_t top = std::min(column_of(rectangle.upper.y, 1), tiles_per_side_ - 1);
+  const std::int64_t top = std::min(column_of(rectangle.upper.y, 1), tiles_along_[1] - 1);
   if (left > right) return true;
   for (std::int64_t row = bottom; row <= top; ++row) {
     const std::uint64_t* const words =
@@ -87,7 +98,17 @@ bool CoveredPicture::is_full(const Rectangle& rectangle) const {
       std::uint64_t wanted = ~std::uint64_t{0};
       if (word == left / 64) wanted &= ~std::uint64_t{0} << (left % 64);
       if (word == right / 64) wanted &= ~std::uint64_t{0} >> (63 - right % 64);
-      if ((words[word] & wanted) != wanted) return false;
+      for (std::uint64_t open = wanted & ~words[word]; open != 0; open &= open - 1) {
+        const std::int64_t column = 64 * word + std::countr_zero(open);
+        const Rectangle& box =
+            tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)].open;
+        if (box.lower.x < rectangle.upper.x - tolerance_ &&
+            box.lower.y < rectangle.upper.y - tolerance_ &&
+            box.upper.x > rectangle.lower.x + tolerance_ &&
+            box.upper.y > rectangle.lower.y + tolerance_) {
+          return false;
+        }
+      }
     }
   }
   return true;
@@ -102,9 +123,9 @@ void CoveredPicture::cover(std::span<const Vec2> polygon) {
     upper = glm::max(upper, corner);
   }
   const std::int64_t left = std::max<std::int64_t>(column_of(lower.x - tolerance_, 0), 0);
-  const std::int64_t right = std::min(column_of(upper.x + tolerance_, 0), tiles_per_side_ - 1);
+  const std::int64_t right = std::min(column_of(upper.x + tolerance_, 0), tiles_along_[0] - 1);
   const std::int64_t bottom = std::max<std::int64_t>(column_of(lower.y - tolerance_, 1), 0);
-  const std::int64_t top = std::min(column_of(upper.y + tolerance_, 1), tiles_per_side_ - 1);
+  const std::int64_t top = std::min(column_of(upper.y + tolerance_, 1), tiles_along_[1] - 1);
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   for (std::int64_t row = bottom; row <= top; ++row) {
@@ -130,19 +151,15 @@ void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, std::uint
   const Vec2 lower = lower_corner(column, row);
   const double half = 0.5 * tile_size_;
   const Vec2 middle = lower + Vec2{half, half};
-  bool covers_all = true;
   for (std::uint32_t k = first; k < first + count; ++k) {
     const HalfPlane& side = half_planes_[k];
-    const double value = side(middle);
-    const double reach = half * (std::abs(side.normal.x) + std::abs(side.normal.y));
-    if (value > reach) return;
-    covers_all = covers_all && value <= -reach;
+    if (side(middle) > half * (std::abs(side.normal.x) + std::abs(side.normal.y))) return;
   }
-  if (covers_all) {
+  Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)];
+  if (!shrink_open_box(tile.open, first, count)) {
     mark_full(column, row);
     return;
   }
-  Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_per_side_ + column)];
   entries_.push_back({first, count, tile.first_entry});
   tile.first_entry = static_cast<std::int32_t>(entries_.size() - 1);
   ++tile.entry_count;
@@ -150,6 +167,34 @@ void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, std::uint
       is_covered_all_over(tile, lower)) {
     mark_full(column, row);
   }
+}
+
+/// What a polygon leaves of a box lies beyond its sides; false if nothing is left.
+bool CoveredPicture::shrink_open_box(Rectangle& open, std::uint32_t first,
+                                     std::uint32_t count) const {
+  const Vec2 corners[4] = {
+      open.lower, {open.upper.x, open.lower.y}, open.upper, {open.lower.x, open.upper.y}};
+  Rectangle rest{open.upper, open.lower};
+  const auto add = [&](Vec2 point) {
+    rest.lower = glm::min(rest.lower, point);
+    rest.upper = glm::max(rest.upper, point);
+  };
+  for (std::uint32_t k = first; k < first + count; ++k) {
+    const HalfPlane& side = half_planes_[k];
+    double values[4];
+    for (int i = 0; i < 4; ++i) values[i] = side(corners[i]);
+    if ((values[0] > 0 && values[2] > 0) || (values[1] > 0 && values[3] > 0)) return true;
+    for (int i = 0; i < 4; ++i) {
+      const int next = (i + 1) % 4;
+      if (values[i] > 0) add(corners[i]);
+      if ((values[i] > 0) != (values[next] > 0)) {
+        add(corners[i] + (corners[next] - corners[i]) * (values[i] / (values[i] - values[next])));
+      }
+    }
+  }
+  if (!(rest.lower.x <= rest.upper.x && rest.lower.y <= rest.upper.y)) return false;
+  open = rest;
+  return true;
 }
 
 /// Takes the polygons of a tile away from it, one after the other.
@@ -193,7 +238,7 @@ void CoveredPicture::find_uncovered(Vec2 a, Vec2 b, Interval part,
   // Within bounds first.
   for (int axis = 0; axis < 2; ++axis) {
     const double low = lower_[axis] - a[axis];
-    const double high = low + tile_size_ * static_cast<double>(tiles_per_side_);
+    const double high = low + tile_size_ * static_cast<double>(tiles_along_[axis]);
     if (step[axis] == 0) {
       if (low > 0 || high < 0) return;
       continue;
@@ -207,7 +252,7 @@ void CoveredPicture::find_uncovered(Vec2 a, Vec2 b, Interval part,
   if (!(part.begin < part.end)) return;
 
   const auto clamped = [&](double coordinate, int axis) {
-    return std::clamp<std::int64_t>(column_of(coordinate, axis), 0, tiles_per_side_ - 1);
+    return std::clamp<std::int64_t>(column_of(coordinate, axis), 0, tiles_along_[axis] - 1);
   };
   // Column by column (or row by row, the way in which there are fewer) of the grid.
   const int across = std::abs(step.x) < std::abs(step.y) ? 0 : 1;
@@ -252,7 +297,7 @@ void CoveredPicture::find_uncovered(Vec2 a, Vec2 b, Interval part,
 void CoveredPicture::look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step,
                                   Interval part, std::vector<Interval>& uncovered) {
   if (is_full(column, row)) return;
-  const Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_per_side_ + column)];
+  const Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)];
   open_.assign(1, part);
   for (std::int32_t number = tile.first_entry; number >= 0 && !open_.empty();) {
     const Entry& entry = entries_[static_cast<std::size_t>(number)];

@@ -17,14 +17,14 @@ namespace spoctree {
 
 class CoveredPicture {
  public:
-  /// Nothing is covered yet. Polygons cover what is nearer to them than `tolerance`, too: those
-  /// that share an edge up to rounding leave no gap between them.
-  CoveredPicture(const Rectangle& bounds, std::uint32_t tiles_per_side, double tolerance);
+  /// Nothing is covered yet; there will be about so many tiles. Polygons cover what is nearer to
+  /// them than `tolerance`, too: those that share an edge up to rounding leave no gap between them.
+  CoveredPicture(const Rectangle& bounds, std::size_t tiles, double tolerance);
 
   /// Adds a convex polygon, counter-clockwise; what is out of bounds does not count.
   void cover(std::span<const Vec2> polygon);
 
-  /// True if all tiles that the rectangle touches are full, or if it is out of bounds.
+  /// True if what lies in the rectangle is certainly covered, or out of bounds.
   bool is_full(const Rectangle& rectangle) const;
 
   /// Appends the parts of the line a + s (b - a), s in `part`, that are within bounds and not
@@ -47,6 +47,7 @@ class CoveredPicture {
   struct Tile {
     std::int32_t first_entry = -1;
     std::uint32_t entry_count = 0;
+    Rectangle open;  ///< nothing of the tile is uncovered outside
   };
   using Polygon = std::vector<Vec2>;
 
@@ -64,13 +65,14 @@ class CoveredPicture {
   }
 
   void cover_tile(std::int64_t column, std::int64_t row, std::uint32_t first, std::uint32_t count);
+  bool shrink_open_box(Rectangle& open, std::uint32_t first, std::uint32_t count) const;
   bool is_covered_all_over(const Tile& tile, Vec2 lower);
   void look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step, Interval part,
                     std::vector<Interval>& uncovered);
 
   Vec2 lower_;
   double tile_size_;
-  std::int64_t tiles_per_side_;
+  std::int64_t tiles_along_[2];
   double tolerance_;
   std::vector<Tile> tiles_;          // row by row
   std::vector<std::uint64_t> full_;  // one bit per tile, rows padded to whole words

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "common/geometry/tolerances.hpp"
+
 namespace spoctree {
 
 namespace {
@@ -107,6 +109,16 @@ bool is_silhouette(const Crease& crease, const Creases& creases, const PlaneSet&
     any_not |= !towards;
   }
   return any_towards && any_not;
+}
+
+bool is_flat(const Crease& crease, const Creases& creases, const PlaneSet& planes) {
+  const auto sides = creases.sides_of(crease);
+  const Vec3 first = planes[sides.front().plane].normal;
+  return std::all_of(sides.begin() + 1, sides.end(), [&](const CreaseSide& side) {
+    const Vec3 normal = planes[side.plane].normal;
+    const Vec3 across = glm::cross(first, normal);
+    return glm::dot(first, normal) > 0 && glm::dot(across, across) < kFlatCrease * kFlatCrease;
+  });
 }
 
 double crease_angle_deg(const Crease& crease, const Creases& creases, const PlaneSet& planes) {

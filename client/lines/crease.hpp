@@ -42,6 +42,9 @@ bool may_be_seen(const Crease& crease, const Creases& creases, const PlaneSet& p
 bool is_silhouette(const Crease& crease, const Creases& creases, const PlaneSet& planes,
                    const Camera& camera);
 
+/// True if no two of its faces meet at an angle (kFlatCrease).
+bool is_flat(const Crease& crease, const Creases& creases, const PlaneSet& planes);
+
 /// The largest angle between the normals of two faces of the crease, in degrees.
 double crease_angle_deg(const Crease& crease, const Creases& creases, const PlaneSet& planes);
 

@@ -14,10 +14,29 @@ namespace spoctree {
 
 namespace {
 
-/// About so many tiles that a leaf on the boundary covers some of them whole.
-std::uint32_t tiles_per_side(const LineScene& scene) {
-  const double wanted = std::sqrt(static_cast<double>(scene.pieces().leaf_count()));
-  return static_cast<std::uint32_t>(std::clamp(wanted, 16.0, 2048.0));
+std::vector<ProjectedCrease> project_all(const std::vector<Crease>& creases,
+                                         const std::vector<bool>& is_wanted, const Camera& camera) {
+  std::vector<ProjectedCrease> projected(creases.size());
+  for (std::size_t k = 0; k < creases.size(); ++k) {
+    if (is_wanted[k]) projected[k] = project(creases[k], camera);
+  }
+  return projected;
+}
+
+/// What of the frame the wanted creases take up: nothing else is looked at.
+Rectangle extent_of(const std::vector<ProjectedCrease>& creases, const Rectangle& frame) {
+  Rectangle extent{frame.upper, frame.lower};
+  for (const ProjectedCrease& crease : creases) {
+    if (!(crease.range.begin < crease.range.end)) continue;
+    for (const Vec2 end : {crease.a, crease.b}) {
+      extent.lower = glm::min(extent.lower, end);
+      extent.upper = glm::max(extent.upper, end);
+    }
+  }
+  if (extent.lower.x > extent.upper.x) return {};
+  extent.lower = glm::max(extent.lower, frame.lower);
+  extent.upper = glm::min(extent.upper, frame.upper);
+  return extent;
 }
 
 class Looker {
@@ -32,13 +51,8 @@ class Looker {
         is_wanted_(is_wanted),
         reach_(kCreaseTolerance * scene.diagonal()),
         tolerance_(kPictureTolerance * scene.diagonal()),
-        covered_(frame, tiles_per_side(scene), tolerance_) {
-    const auto& creases = scene.creases().creases;
-    projected_.resize(creases.size());
-    for (std::size_t k = 0; k < creases.size(); ++k) {
-      if (is_wanted[k]) projected_[k] = project(creases[k], camera);
-    }
-  }
+        projected_(project_all(scene.creases().creases, is_wanted, camera)),
+        covered_(extent_of(projected_, frame), scene.pieces().leaf_count(), tolerance_) {}
 
   std::vector<CreasePart> run() {
     visit({});
@@ -58,17 +72,12 @@ class Looker {
     const NodeKind kind = level.kinds[node.index];
     const bool is_leaf = kind != NodeKind::Grey || node.level == scene_.level();
     const LeafPieces* const pieces = is_leaf ? scene_.pieces().find(node) : nullptr;
-    std::span<const CreasePart> parts;
-    if (is_leaf) {
-      parts = scene_.parts().of(node);
-      if (pieces == nullptr && parts.empty()) return;
-    }
-    const Vec3 lower{wall(node.lower[0]), wall(node.lower[1]), wall(node.lower[2])};
-    const double side = wall(node.lower[0] + node.size()) - lower.x;
-    const auto extent = extent_of_cube(lower, side, camera_);
+    const auto parts = is_leaf ? scene_.parts().of(node) : std::span<const CreasePart>{};
+    if (scene_.extents().is_empty(node)) return;
+    const auto extent = extent_of_box(scene_.extents().of(node), camera_);
     if (extent && covered_.is_full(*extent)) return;
     if (is_leaf) {
-      look_at_leaf(node, kind, pieces, parts, lower, side);
+      look_at_leaf(node, kind, pieces, parts);
       return;
     }
     std::uint32_t nearest = 0;
@@ -83,7 +92,9 @@ class Looker {
   }
 
   void look_at_leaf(const NodeAddress& node, NodeKind kind, const LeafPieces* pieces,
-                    std::span<const CreasePart> parts, Vec3 lower, double side) {
+                    std::span<const CreasePart> parts) {
+    const Vec3 lower{wall(node.lower[0]), wall(node.lower[1]), wall(node.lower[2])};
+    const double side = wall(node.lower[0] + node.size()) - lower.x;
     waiting_.clear();
     for (const CreasePart& part : parts) {
       if (!is_wanted_[part.crease]) continue;
@@ -265,8 +276,8 @@ class Looker {
   const std::vector<bool>& is_wanted_;
   const double reach_;
   const double tolerance_;
+  const std::vector<ProjectedCrease> projected_;
   CoveredPicture covered_;
-  std::vector<ProjectedCrease> projected_;
   std::vector<CreasePart> seen_;
   // Working memory.
   Vec3 cube_[8];

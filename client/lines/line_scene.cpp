@@ -29,6 +29,7 @@ LineScene::LineScene(const Octree& tree, const Surface& surface, std::uint32_t l
       diagonal_(std::sqrt(3.0) * 2 * tree.universe.half_side),
       creases_(creases_of(surface)),
       pieces_(tree, level),
-      parts_(tree, level, creases_.creases, kCreaseTolerance * diagonal_) {}
+      parts_(tree, level, creases_.creases, kCreaseTolerance * diagonal_),
+      extents_(tree, pieces_, creases_.creases, parts_) {}
 
 }  // namespace spoctree

@@ -3,6 +3,7 @@
 
 #include "client/lines/crease.hpp"
 #include "client/lines/crease_parts.hpp"
+#include "client/lines/node_extents.hpp"
 #include "client/rebuild/level_pieces.hpp"
 #include "client/rebuild/surface.hpp"
 
@@ -24,6 +25,7 @@ class LineScene {
   const Creases& creases() const { return creases_; }
   const LevelPieces& pieces() const { return pieces_; }
   const CreaseParts& parts() const { return parts_; }
+  const NodeExtents& extents() const { return extents_; }
 
  private:
   const Octree& tree_;
@@ -31,6 +33,7 @@ class LineScene {
   Creases creases_;
   LevelPieces pieces_;
   CreaseParts parts_;
+  NodeExtents extents_;
 };
 
 }  // namespace spoctree

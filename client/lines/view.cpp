@@ -1,5 +1,7 @@
 #include "client/lines/view.hpp"
 
+#include <glm/common.hpp>
+
 namespace spoctree {
 
 ProjectedCrease project(const Crease& crease, const Camera& camera) {
@@ -23,19 +25,20 @@ ProjectedCrease project(const Crease& crease, const Camera& camera) {
   return projected;
 }
 
-std::optional<Rectangle> extent_of_cube(Vec3 lower, double side, const Camera& camera) {
+std::optional<Rectangle> extent_of_box(const NodeBox& box, const Camera& camera) {
+  const Vec3 lower = box.lower;
+  const Vec3 upper = box.upper;
   if (!camera.is_perspective()) {
-    const double half = 0.5 * side;
-    const Vec2 middle = camera.project(lower + Vec3{half, half, half});
-    const auto reach = [&](Vec3 axis) {
-      return half * (std::abs(axis.x) + std::abs(axis.y) + std::abs(axis.z));
-    };
-    const Vec2 reaches{reach(camera.right()), reach(camera.up())};
-    return Rectangle{middle - reaches, middle + reaches};
+    const Vec3 half = 0.5 * (upper - lower);
+    const Vec2 middle = camera.project(0.5 * (lower + upper));
+    const Vec2 reach{glm::dot(glm::abs(camera.right()), half),
+                     glm::dot(glm::abs(camera.up()), half)};
+    return Rectangle{middle - reach, middle + reach};
   }
   Rectangle extent;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const Vec3 point = lower + side * Vec3{corner & 1, corner >> 1 & 1, corner >> 2};
+    const Vec3 point{corner & 1 ? upper.x : lower.x, corner & 2 ? upper.y : lower.y,
+                     corner & 4 ? upper.z : lower.z};
     if (camera.depth(point) < camera.least_depth()) return std::nullopt;
     const Vec2 at = camera.project(point);
     extent.lower = corner == 0 ? at : glm::min(extent.lower, at);

@@ -7,7 +7,7 @@
 
 #include "client/lines/crease.hpp"
 #include "client/lines/crease_parts.hpp"
-#include "common/tree/node_address.hpp"
+#include "client/lines/node_extents.hpp"
 
 namespace spoctree {
 
@@ -34,8 +34,8 @@ struct ProjectedCrease {
 
 ProjectedCrease project(const Crease& crease, const Camera& camera);
 
-/// The smallest rectangle around a cube; nothing if some of it is not in front of the viewer.
-std::optional<Rectangle> extent_of_cube(Vec3 lower, double side, const Camera& camera);
+/// The smallest rectangle around a box; nothing if some of it is not in front of the viewer.
+std::optional<Rectangle> extent_of_box(const NodeBox& box, const Camera& camera);
 
 /// Projects the corners of a convex polyhedron. Where some of it is not in front of the viewer, the
 /// points are those whose convex hull is the outline of the rest; none if all is.

@@ -128,6 +128,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   std::vector<bool> is_open(creases.creases.size(), false);  // not hidden by its own material
   for (std::uint32_t k = 0; k < kinds.size(); ++k) {
     const Crease& crease = creases.creases[k];
+    if (is_flat(crease, creases, planes)) continue;
     const bool is_seen = may_be_seen(crease, creases, planes, camera);
     if (!is_seen && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);

@@ -26,12 +26,13 @@ inline constexpr double kShortEdge = 1e-6;
 /// universe cube's diagonal): outlines of neighbouring pieces share edges up to rounding only.
 inline constexpr double kPictureTolerance = 1e-10;
 
-/// A crease belongs to a piece of material where it is nearer to it than this: rebuilt vertices
-/// stand off the exact ones by up to kWeldTolerance.
+/// A crease touches what it is nearer to than this: rebuilt vertices stand off the exact ones by up
+/// to kWeldTolerance.
 inline constexpr double kCreaseTolerance = 3e-10;
 
-/// The same in the direction of sight, behind the piece.
-inline constexpr double kCreaseDepthTolerance = 1e-6;
+/// Faces whose normals differ by less than this (sine) meet in no line of a drawing: planes that
+/// were one before they were rounded.
+inline constexpr double kFlatCrease = 1e-10;
 
 /// Consecutive lines become one line if their joints stand off it by less than this.
 inline constexpr double kJoinTolerance = 1e-9;

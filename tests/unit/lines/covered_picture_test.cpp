@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kTolerance = 1e-10;
 
-CoveredPicture picture_of_square(std::uint32_t tiles) {
-  return CoveredPicture({{-1, -1}, {1, 1}}, tiles, kTolerance);
+CoveredPicture picture_of_square(std::size_t tiles_per_side) {
+  return CoveredPicture({{-1, -1}, {1, 1}}, tiles_per_side * tiles_per_side,
+                        kTolerance);
 }
 
 /// The parts of the line from a to b that are not covered, merged, as parameters.

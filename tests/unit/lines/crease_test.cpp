@@ -85,6 +85,17 @@ TEST(Silhouettes, HaveFacesOfBothKinds) {
   EXPECT_FALSE(reflex().silhouette({1, 2, 0.3}));
 }
 
+TEST(FlatCreases, AreThoseOfPlanesThatWereOneBeforeRounding) {
+  Bench bench({{kX, true}, {kY, false}});
+  const auto flat = [&](Plane other) {
+    bench.table[1] = other;
+    return is_flat(bench.creases.creases[0], bench.creases, bench.planes);
+  };
+  EXPECT_TRUE(flat({{1, 1e-14, 0}, 0}));
+  EXPECT_FALSE(flat({{1, 1e-9, 0}, 0}));
+  EXPECT_FALSE(flat({{-1, 1e-14, 0}, 0}));
+}
+
 TEST(CreaseAngle, IsThatOfTheNormals) {
   const Bench bench = convex();
   EXPECT_NEAR(crease_angle_deg(bench.creases.creases[0], bench.creases, bench.planes), 90, 1e-12);

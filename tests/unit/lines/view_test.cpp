@@ -31,21 +31,22 @@ TEST(ProjectedCrease, EndsInFrontOfTheViewer) {
   EXPECT_LE(behind.range.end, behind.range.begin);
 }
 
-TEST(ExtentOfCube, IsThatOfItsCorners) {
+TEST(ExtentOfBox, IsThatOfItsCorners) {
   Random random(5);
   for (int round = 0; round < 100; ++round) {
     const Vec3 direction{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const Camera camera =
         round % 2 == 0 ? Camera(direction) : Camera::perspective(3.0 * direction, {0, 0, 0});
-    const Vec3 lower{random.between(-1, 0), random.between(-1, 0), random.between(-1, 0)};
-    const auto extent = extent_of_cube(lower, 0.3, camera);
+    const glm::vec3 lower{random.between(-1, 0), random.between(-1, 0), random.between(-1, 0)};
+    const auto extent = extent_of_box({lower, lower + 0.3f}, camera);
     if (!extent) continue;
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const Vec2 at = camera.project(lower + 0.3 * Vec3{corner & 1, corner >> 1 & 1, corner >> 2});
-      EXPECT_GE(at.x, extent->lower.x - 1e-14);
-      EXPECT_GE(at.y, extent->lower.y - 1e-14);
-      EXPECT_LE(at.x, extent->upper.x + 1e-14);
-      EXPECT_LE(at.y, extent->upper.y + 1e-14);
+      const Vec2 at =
+          camera.project(Vec3(lower) + 0.3 * Vec3{corner & 1, corner >> 1 & 1, corner >> 2});
+      EXPECT_GE(at.x, extent->lower.x - 1e-6);
+      EXPECT_GE(at.y, extent->lower.y - 1e-6);
+      EXPECT_LE(at.x, extent->upper.x + 1e-6);
+      EXPECT_LE(at.y, extent->upper.y + 1e-6);
     }
   }
 }

@@ -1,0 +1,88 @@
+#include "client/lines/node_extents.hpp"
+
+#include <cmath>
+#include <glm/common.hpp>
+#include <limits>
+
+namespace spoctree {
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr NodeBox kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+
+class BoxFinder {
+ public:
+  BoxFinder(const Octree& tree, const LevelPieces& pieces, std::span<const Crease> creases,
+            const CreaseParts& parts, std::vector<std::vector<NodeBox>>& boxes)
+      : tree_(tree), pieces_(pieces), creases_(creases), parts_(parts), boxes_(boxes) {}
+
+  const NodeBox& visit(const NodeAddress& node) {
+    const Level& level = tree_.levels[node.level];
+    NodeBox& box = boxes_[node.level][node.index];
+    box = kEmpty;
+    if (level.kinds[node.index] == NodeKind::Grey && node.level < pieces_.level()) {
+      for (std::uint32_t octant = 0; octant < 8; ++octant) {
+        const NodeBox& child = visit(node.child(level.first_child[node.index], octant));
+        box.lower = glm::min(box.lower, child.lower);
+        box.upper = glm::max(box.upper, child.upper);
+      }
+    } else {
+      find_leaf(node, box);
+    }
+    return box;
+  }
+
+ private:
+  void find_leaf(const NodeAddress& node, NodeBox& box) const {
+    bool is_empty = true;
+    Vec3 lower{0.0};
+    Vec3 upper{0.0};
+    const auto add = [&](Vec3 point) {
+      lower = is_empty ? point : glm::min(lower, point);
+      upper = is_empty ? point : glm::max(upper, point);
+      is_empty = false;
+    };
+    if (const LeafPieces* const leaf = pieces_.find(node)) {
+      if (leaf->is_whole_cube) {
+        for (const std::uint32_t far : {0u, node.size()}) {
+          Vec3 corner;
+          for (int axis = 0; axis < 3; ++axis) {
+            corner[axis] = wall_coordinate(tree_.universe.half_side, node.lower[axis] + far);
+          }
+          add(corner);
+        }
+      }
+      for (std::uint32_t part = 0; part < leaf->piece_count; ++part) {
+        for (const Vec3 corner : pieces_.corners(*leaf, part)) add(corner);
+      }
+    }
+    for (const CreasePart& part : parts_.of(node)) {
+      const Crease& crease = creases_[part.crease];
+      add(crease.a + part.interval.begin * (crease.b - crease.a));
+      add(crease.a + part.interval.end * (crease.b - crease.a));
+    }
+    if (is_empty) return;
+    for (int axis = 0; axis < 3; ++axis) {
+      box.lower[axis] = std::nextafter(static_cast<float>(lower[axis]), -kInfinity);
+      box.upper[axis] = std::nextafter(static_cast<float>(upper[axis]), kInfinity);
+    }
+  }
+
+  const Octree& tree_;
+  const LevelPieces& pieces_;
+  const std::span<const Crease> creases_;
+  const CreaseParts& parts_;
+  std::vector<std::vector<NodeBox>>& boxes_;
+};
+
+}  // namespace
+
+NodeExtents::NodeExtents(const Octree& tree, const LevelPieces& pieces,
+                         std::span<const Crease> creases, const CreaseParts& parts) {
+  boxes_.resize(pieces.level() + 1);
+  for (std::uint32_t k = 0; k <= pieces.level(); ++k) boxes_[k].resize(tree.levels[k].size());
+  BoxFinder(tree, pieces, creases, parts, boxes_).visit({});
+}
+
+}  // namespace spoctree
