@@ -50,26 +50,35 @@ bool is_same_plane(const Plane& p, const Plane& q) {
 
 }  // namespace
 
-Carriers::Carriers(const Octree& tree) : planes_(tree.plane_set()) {
-  const auto count = static_cast<std::uint32_t>(tree.planes.size());
-  if (count >= kFirstWall) throw std::length_error("rebuild: too many planes");
-  carriers_.reserve(count);
-  table_sides_.reserve(count);
-  by_shape_.reserve(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
+void Carriers::grow(const Octree& tree, std::uint32_t plane_count) {
+  if (plane_count >= kFirstWall) throw std::length_error("rebuild: too many planes");
+  tree_ = &tree;
+  carriers_.resize(table_count_);
+  other_walls_ = {};
+  const auto known = static_cast<std::uint32_t>(table_sides_.size());
+  if (plane_count <= known) return;
+  carriers_.reserve(plane_count);
+  by_shape_.reserve(plane_count);
+  for (std::uint32_t i = known; i < plane_count; ++i) {
     table_sides_.push_back(add_of_table(PlaneRef::of_table(i)));
   }
-  for (std::uint32_t carrier = 0; carrier < carriers_.size(); ++carrier) find_wall(carrier);
+  for (std::uint32_t carrier = table_count_; carrier < carriers_.size(); ++carrier) {
+    find_wall(carrier);
+  }
+  table_count_ = count();
+  for (std::uint32_t i = known; i < plane_count; ++i) {
+    numbers_.push_back(carriers_[table_sides_[i] >> 1].number);
+  }
 }
 
 CarrierSide Carriers::add_of_table(PlaneRef ref) {
-  const Plane plane = planes_[ref];
+  const Plane plane = tree_->planes[ref.index()];
   const std::uint64_t hash = shape_hash(plane);
   const std::uint32_t same = by_shape_.find(
       hash, [&](std::uint32_t carrier) { return is_same_plane(carriers_[carrier].plane, plane); });
   if (same == FlatIndex::kNone) {
     const auto carrier = static_cast<std::uint32_t>(carriers_.size());
-    carriers_.push_back({plane, {ref, ref.flipped()}, false});
+    carriers_.push_back({plane, {ref, ref.flipped()}, carrier});
     by_shape_.insert(hash, carrier);
     return 2 * carrier;
   }
@@ -86,23 +95,25 @@ void Carriers::find_wall(std::uint32_t carrier) {
   const int axis = main_axis(plane);
   if (plane.normal[(axis + 1) % 3] != 0 || plane.normal[(axis + 2) % 3] != 0) return;
   const double at = plane.offset / plane.normal[axis];
-  const double index = std::nearbyint((at / planes_.half_side() + 1) * 0x1p29);
+  const double index = std::nearbyint((at / tree_->universe.half_side + 1) * 0x1p29);
   if (!(index >= 0 && index <= 0x1p30)) return;
   const PlaneRef wall = PlaneRef::of_wall(axis, static_cast<std::uint32_t>(index));
-  if (!is_same_plane(plane, planes_[wall])) return;
-  walls_in_table_.insert(wall.code(), carrier);
-  carriers_[carrier].is_wall = true;
+  if (!is_same_plane(plane, tree_->plane_set()[wall])) return;
+  carriers_[carrier].number = number_of_wall(wall);
+  walls_in_table_.insert(number_of_wall(wall), carrier);
 }
 
 std::uint32_t Carriers::carrier_of(std::uint32_t number) {
   if (number < kFirstWall) return number;
-  const std::uint32_t known = other_walls_.find(number);
-  if (known != FlatIndex::kNone) return known;
+  for (const FlatIndex* walls : {&walls_in_table_, &other_walls_}) {
+    const std::uint32_t known = walls->find(number);
+    if (known != FlatIndex::kNone) return known;
+  }
   const std::uint32_t wall = number - kFirstWall;
   const PlaneRef ref =
       PlaneRef::of_wall(static_cast<int>(wall / kWallsPerAxis), wall % kWallsPerAxis);
   const auto carrier = static_cast<std::uint32_t>(carriers_.size());
-  carriers_.push_back({planes_[ref], {ref, ref.flipped()}, true});
+  carriers_.push_back({tree_->plane_set()[ref], {ref, ref.flipped()}, number});
   other_walls_.insert(number, carrier);
   return carrier;
 }

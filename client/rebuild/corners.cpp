@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "client/rebuild/cell_corners.hpp"
 #include "client/rebuild/polyhedron_corners.hpp"
 #include "common/base/parallel.hpp"
 #include "common/tree/cell_regions.hpp"
-#include "common/tree/expression.hpp"
 #include "common/tree/pieces.hpp"
 
 namespace spoctree {
@@ -18,48 +18,45 @@ namespace {
 /// A subtree of at most so many nodes is one task.
 constexpr std::uint32_t kNodesPerTask = 512;
 
-/// The corners of a part of the tree, inside its cube and on its walls: these may meet others.
+/// What is found in a part of the tree.
 struct Part {
-  std::vector<CornerCount> inside;
-  std::vector<CornerCount> on_walls;
+  std::vector<CornerCount> settled;
+  std::vector<CornerCount> open;
+  std::vector<Subtree> frontier;
+  std::uint64_t cells_visited = 0;
+
+  void append(Part&& other) {
+    settled.insert(settled.end(), other.settled.begin(), other.settled.end());
+    open.insert(open.end(), other.open.begin(), other.open.end());
+    std::move(other.frontier.begin(), other.frontier.end(), std::back_inserter(frontier));
+    cells_visited += other.cells_visited;
+    other = {};
+  }
 };
 
-/// Moves what is summed up to the part that it belongs to.
-void divide(CornerSum& sum, const NodeAddress& cell, const Carriers& carriers, Part& part) {
-  std::uint32_t walls[6];
-  for (int axis = 0; axis < 3; ++axis) {
-    walls[2 * axis] = carriers.number_of(PlaneRef::of_wall(axis, cell.lower[axis]));
-    walls[2 * axis + 1] =
-        carriers.number_of(PlaneRef::of_wall(axis, cell.lower[axis] + cell.size()));
-  }
-  const auto is_wall = [&](std::uint32_t plane) {
-    return std::find(walls, walls + 6, plane) != walls + 6;
-  };
-  sum.flush([&](const CornerCount& corner) {
-    const bool is_on_walls = std::any_of(corner.planes, corner.planes + 3, is_wall);
-    (is_on_walls ? part.on_walls : part.inside).push_back(corner);
-  });
-}
-
-/// Walks one part on its own.
+/// Walks parts of the tree on its own.
 class PartWalker {
  public:
-  PartWalker(const Octree& tree, std::uint32_t last_level, const Carriers& carriers, CornerSum& sum)
+  PartWalker(const Octree& tree, std::uint32_t last_level, const Carriers& carriers)
       : tree_(tree),
         last_level_(last_level),
         carriers_(carriers),
-        sum_(sum),
         regions_(tree),
         cell_corners_(tree, carriers),
-        polyhedron_corners_(carriers, sum),
         storage_(tree.levels.size()) {}
 
-  /// `bounds` are the ancestors' planes that may cut the root's cube; `parent_region` may be null.
-  void walk(const NodeAddress& root, std::span<const std::uint32_t> bounds,
-            const Polyhedron* parent_region) {
-    Grid grid{};
-    put(visit(root, bounds, bounds.size(), parent_region), 0, grid);
-    for (std::uint32_t i = 0; i < 8; ++i) add_to_sum(grid, root, i & 1, (i >> 1) & 1, i >> 2, 1);
+  /// `parent_region` may be null.
+  void walk(const Subtree& part, const Polyhedron* parent_region) {
+    add_cube(visit(part.root, part.planes, part.planes.size(), parent_region), part.root, settled_);
+  }
+
+  Part take() {
+    const auto move_to = [](CornerSum& sum, std::vector<CornerCount>& corners) {
+      sum.flush([&](const CornerCount& corner) { corners.push_back(corner); });
+    };
+    move_to(settled_, part_.settled);
+    move_to(open_, part_.open);
+    return std::move(part_);
   }
 
  private:
@@ -75,16 +72,20 @@ class PartWalker {
     }
   }
 
-  /// The walls of the grid are so many parts of the node's side apart: one, or two.
-  void add_to_sum(const Grid& grid, const NodeAddress& node, std::uint32_t x, std::uint32_t y,
-                  std::uint32_t z, std::uint32_t parts) {
-    const std::int32_t count = grid[x + 3 * y + 9 * z];
+  /// Adds a corner where walls meet, `step` apart from the lower ones of the node.
+  void add_corner(std::int32_t count, const NodeAddress& node, std::uint32_t x, std::uint32_t y,
+                  std::uint32_t z, std::uint32_t step, CornerSum& sum) const {
     if (count == 0) return;
-    const std::uint32_t step = node.size() / parts;
     const auto wall = [&](int axis, std::uint32_t i) {
       return carriers_.number_of(PlaneRef::of_wall(axis, node.lower[axis] + i * step));
     };
-    sum_.add(wall(0, x), wall(1, y), wall(2, z), count);
+    sum.add(wall(0, x), wall(1, y), wall(2, z), count);
+  }
+
+  void add_cube(const CubeCorners& cube, const NodeAddress& node, CornerSum& sum) const {
+    for (std::uint32_t i = 0; i < 8; ++i) {
+      add_corner(cube[i], node, i & 1, (i >> 1) & 1, i >> 2, node.size(), sum);
+    }
   }
 
   /// Adds up what is in a subtree, but for the corners of its root's cube. The first `near_bounds`
@@ -93,16 +94,15 @@ class PartWalker {
                     std::size_t near_bounds, const Polyhedron* parent_region) {
     const Level& level = tree_.levels[node.level];
     const NodeKind kind = level.kinds[node.index];
+    if (kind != NodeKind::Grey || node.level == last_level_) ++part_.cells_visited;
     if (kind == NodeKind::White) return {};
     if (kind == NodeKind::Black && bounds.empty()) return kFullCube;
     const auto planes = level.planes_of(node.index);
-    if (kind != NodeKind::Grey || node.level == last_level_) {
-      CubeCorners cube{};
-      if (!cell_corners_.find(node, kind, planes, level.expression_of(node.index), bounds,
-                              near_bounds, cube, sum_)) {
-        visit_pieces(node, bounds);
-      }
-      return cube;
+    if (kind != NodeKind::Grey) return visit_cell(node, bounds, near_bounds, settled_);
+    if (node.level == last_level_) {
+      add_cube(visit_cell(node, bounds, near_bounds, open_), node, open_);
+      part_.frontier.push_back({node, {bounds.begin(), bounds.end()}});
+      return {};
     }
     const std::uint32_t first_child = level.first_child[node.index];
     if (bounds.empty() && planes.empty()) return visit_children(node, first_child, nullptr);
@@ -111,6 +111,21 @@ class PartWalker {
       return {};
     }
     return visit_children(node, first_child, &region);
+  }
+
+  /// A leaf, or a GREY node of the last level, taken as what is inside all planes.
+  CubeCorners visit_cell(const NodeAddress& node, std::span<const std::uint32_t> bounds,
+                         std::size_t near_bounds, CornerSum& sum) {
+    const Level& level = tree_.levels[node.level];
+    CubeCorners cube{};
+    if (!cell_corners_.find(node, level.kinds[node.index], level.planes_of(node.index),
+                            level.expression_of(node.index), bounds, near_bounds, cube, sum)) {
+      WalkOptions options;
+      options.level = last_level_;
+      PolyhedronCorners of_pieces(carriers_, sum);
+      walk_pieces(tree_, options, Subtree{node, {bounds.begin(), bounds.end()}}, of_pieces);
+    }
+    return cube;
   }
 
   CubeCorners visit_children(const NodeAddress& parent, std::uint32_t first_child,
@@ -131,7 +146,7 @@ class PartWalker {
       for (std::uint32_t y = 0; y < 3; ++y) {
         for (std::uint32_t x = 0; x < 3; ++x) {
           if (x == 1 || y == 1 || z == 1) {
-            add_to_sum(grid, parent, x, y, z, 2);
+            add_corner(grid[x + 3 * y + 9 * z], parent, x, y, z, parent.size() / 2, settled_);
           } else {
             cube[x / 2 + y + 2 * z] = grid[x + 3 * y + 9 * z];
           }
@@ -141,80 +156,80 @@ class PartWalker {
     return cube;
   }
 
-  void visit_pieces(const NodeAddress& leaf, std::span<const std::uint32_t> bounds) {
-    WalkOptions options;
-    options.level = last_level_;
-    walk_pieces(tree_, options, Subtree{leaf, {bounds.begin(), bounds.end()}}, polyhedron_corners_);
-  }
-
   const Octree& tree_;
   const std::uint32_t last_level_;
   const Carriers& carriers_;
-  CornerSum& sum_;
+  CornerSum settled_;
+  CornerSum open_;
+  Part part_;
   CellRegions regions_;
   CellCorners cell_corners_;
-  PolyhedronCorners polyhedron_corners_;
   std::vector<std::uint32_t> bounds_;
   std::vector<Polyhedron> storage_;  // the region of the GREY node of each level
 };
 
+/// Divides parts of the tree into tasks.
 class CornerFinder {
  public:
-  CornerFinder(const Octree& tree, std::uint32_t level, const Carriers& carriers)
-      : tree_(tree),
-        last_level_(
-            static_cast<std::uint32_t>(std::min<std::size_t>(level, tree.levels.size() - 1))),
-        carriers_(carriers) {
-    count_nodes();
+  /// The parts begin at `first_level`, or deeper.
+  CornerFinder(const Octree& tree, std::uint32_t first_level, std::uint32_t last_level,
+               const Carriers& carriers)
+      : tree_(tree), last_level_(last_level), carriers_(carriers) {
+    count_nodes(first_level);
   }
 
-  Part find() const { return find({}, {}, nullptr); }
+  /// `parent_region` is that of all the parts, or null.
+  Part find(std::span<const Subtree> parts, const Polyhedron* parent_region) const {
+    std::vector<std::size_t> begin;
+    std::uint32_t nodes = kNodesPerTask;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::uint32_t more = nodes_of(parts[i].root);
+      nodes += more;
+      if (nodes <= kNodesPerTask) continue;
+      begin.push_back(i);
+      nodes = more;
+    }
+    const std::size_t tasks = begin.size();
+    begin.push_back(parts.size());
+    std::vector<Part> found(tasks);
+    parallel_for(tasks, [&](std::size_t i) {
+      const auto task = parts.subspan(begin[i], begin[i + 1] - begin[i]);
+      if (nodes_of(task.front().root) > kNodesPerTask) {
+        found[i] = find_below(task.front(), parent_region);
+        return;
+      }
+      PartWalker walker(tree_, last_level_, carriers_);
+      for (const Subtree& part : task) walker.walk(part, parent_region);
+      found[i] = walker.take();
+    });
+    Part all;
+    for (Part& part : found) all.append(std::move(part));
+    return all;
+  }
 
  private:
-  /// A child that is left to do, with the planes that may cut it.
-  struct Child {
-    NodeAddress node;
-    std::vector<std::uint32_t> bounds;
-  };
-
-  Part find(const NodeAddress& node, std::span<const std::uint32_t> bounds,
-            const Polyhedron* parent_region) const {
-    CornerSum sum;
-    Part part;
-    if (is_task(node)) {
-      PartWalker(tree_, last_level_, carriers_, sum).walk(node, bounds, parent_region);
-      divide(sum, node, carriers_, part);
-      return part;
-    }
+  Part find_below(const Subtree& part, const Polyhedron* parent_region) const {
+    const NodeAddress& node = part.root;
     const Level& level = tree_.levels[node.level];
-    Polyhedron region;
-    std::vector<Child> children;
     CellRegions regions(tree_);
-    if (regions.make(node, bounds, parent_region, region) &&
-        regions.clip(region, level.planes_of(node.index))) {
-      const auto frame = regions.open(&region);
-      for (std::uint32_t octant = 0; octant < 8; ++octant) {
-        Child child{node.child(level.first_child[node.index], octant), {}};
-        if (regions.select(frame, child.node, child.bounds)) children.push_back(std::move(child));
-      }
+    Polyhedron region;
+    if (!regions.make(node, part.planes, parent_region, region) ||
+        !regions.clip(region, level.planes_of(node.index))) {
+      return {};
     }
-    std::vector<Part> parts(children.size());
-    parallel_for(children.size(), [&](std::size_t i) {
-      parts[i] = find(children[i].node, children[i].bounds, &region);
-    });
-    for (Part& child : parts) {
-      part.inside.insert(part.inside.end(), child.inside.begin(), child.inside.end());
-      for (const CornerCount& corner : child.on_walls) sum.add_sorted(corner);
-      child = {};
+    std::vector<Subtree> children;
+    const auto frame = regions.open(&region);
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      Subtree child{node.child(level.first_child[node.index], octant), {}};
+      if (regions.select(frame, child.root, child.planes)) children.push_back(std::move(child));
     }
-    divide(sum, node, carriers_, part);
-    return part;
+    return find(children, &region);
   }
 
   /// Counts the nodes below every GREY node, from the last level up.
-  void count_nodes() {
+  void count_nodes(std::uint32_t first_level) {
     nodes_below_.resize(last_level_);
-    for (std::uint32_t k = last_level_; k-- > 0;) {
+    for (std::uint32_t k = last_level_; k-- > first_level;) {
       const Level& level = tree_.levels[k];
       const Level& next = tree_.levels[k + 1];
       std::vector<std::uint32_t>& counts = nodes_below_[k];
@@ -227,10 +242,10 @@ class CornerFinder {
     }
   }
 
-  bool is_task(const NodeAddress& node) const {
+  std::uint32_t nodes_of(const NodeAddress& node) const {
     const Level& level = tree_.levels[node.level];
-    if (level.kinds[node.index] != NodeKind::Grey || node.level == last_level_) return true;
-    return nodes_below_[node.level][level.first_child[node.index] / 8] <= kNodesPerTask;
+    if (level.kinds[node.index] != NodeKind::Grey || node.level == last_level_) return 1;
+    return 1 + nodes_below_[node.level][level.first_child[node.index] / 8];
   }
 
   const Octree& tree_;
@@ -241,47 +256,18 @@ class CornerFinder {
 
 }  // namespace
 
-std::vector<CornerCount> find_corners(const Octree& tree, std::uint32_t level,
-                                      const Carriers& carriers) {
-  Part part = CornerFinder(tree, level, carriers).find();
-  part.inside.insert(part.inside.end(), part.on_walls.begin(), part.on_walls.end());
-  return std::move(part.inside);
-}
-
-std::vector<std::uint8_t> find_sides(const Octree& tree, std::uint32_t level,
-                                     const Carriers& carriers) {
-  constexpr std::uint8_t kBoth = 3;
-  std::vector<std::uint8_t> sides(carriers.count(), 0);
-  for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
-    if (carriers.is_wall(carrier)) sides[carrier] = kBoth;
-  }
-  std::vector<std::uint32_t> ends;
-  for (std::size_t k = 0; k < tree.levels.size() && k <= level; ++k) {
-    const Level& nodes = tree.levels[k];
-    for (std::uint32_t node = 0; node < nodes.size(); ++node) {
-      const auto planes = nodes.planes_of(node);
-      const auto mark = [&](std::uint32_t plane, bool inside, bool outside) {
-        const CarrierSide side = carriers.side_of_table(plane);
-        if (inside) sides[side >> 1] |= static_cast<std::uint8_t>(1u << (side & 1));
-        if (outside) sides[side >> 1] |= static_cast<std::uint8_t>(2u >> (side & 1));
-      };
-      if (nodes.kinds[node] != NodeKind::Vertex) {
-        for (const std::uint32_t plane : planes) mark(plane, true, false);
-        continue;
-      }
-      // A face looks outwards if there can be material inside and none outside.
-      const auto expression = nodes.expression_of(node);
-      find_ends(expression, ends);
-      for (std::uint32_t i = 0; i < expression.size(); ++i) {
-        if (expression[i] < kFirstPlaneToken) continue;
-        const std::uint32_t inside = expression[i + 1];
-        const std::uint32_t outside = expression[ends[i + 1]];
-        mark(planes[expression[i] - kFirstPlaneToken], inside != kOutToken && outside != kInToken,
-             inside != kInToken && outside != kOutToken);
-      }
-    }
-  }
-  return sides;
+void LevelCorners::advance(const Octree& tree, std::uint32_t level, const Carriers& carriers) {
+  if (level < level_count_) return;
+  const std::uint32_t first_level = level_count_ == 0 ? 0 : level_count_ - 1;
+  Part found = CornerFinder(tree, first_level, level, carriers).find(frontier_, nullptr);
+  sort_corners(found.settled, carriers.table_count());
+  sort_corners(found.open, carriers.table_count());
+  settled_ =
+      settled_.empty() ? std::move(found.settled) : add_sorted_corners(settled_, found.settled);
+  open_ = std::move(found.open);
+  frontier_ = std::move(found.frontier);
+  level_count_ = level + 1;
+  cells_visited_ += found.cells_visited;
 }
 
 }  // namespace spoctree

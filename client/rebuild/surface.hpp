@@ -22,6 +22,7 @@ struct Surface {
   struct Loop {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
+    bool operator==(const Loop&) const = default;
   };
   /// A connected plane region. Its first loop is the outer one, counter-clockwise seen from
   /// outside; the others are holes, clockwise. Loops of one face may touch in vertices, not cross.
@@ -29,11 +30,13 @@ struct Surface {
     PlaneRef plane;  ///< normal outwards: a plane of the table or a cell wall, either way round
     std::uint32_t first_loop = 0;
     std::uint32_t loop_count = 0;
+    bool operator==(const Face&) const = default;
   };
   /// A face beside an edge; `forward` if its loop runs from `a` to `b`.
   struct Side {
     std::uint32_t face = 0;
     bool forward = false;
+    bool operator==(const Side&) const = default;
   };
   /// A crease: a straight edge of the boundary, each once, a < b. Two sides of different direction
   /// as a rule, four where the solid is not a manifold.
@@ -42,6 +45,7 @@ struct Surface {
     std::uint32_t b = 0;
     std::uint32_t first_side = 0;
     std::uint32_t side_count = 0;
+    bool operator==(const Edge&) const = default;
   };
 
   std::vector<Vec3> vertices;
@@ -60,12 +64,13 @@ struct Surface {
   std::span<const Side> sides_of(const Edge& edge) const {
     return {sides.data() + edge.first_side, edge.side_count};
   }
+  bool operator==(const Surface&) const = default;
 };
 
 /// The boundary of T_level; levels beyond the tree mean its last level. The combinatorics are
 /// closed whatever the rounding; vertices closer than kWeldTolerance are one vertex, and features
 /// thinner than that may vanish. Neither cell walls nor splits of a node leave an edge in a flat
-/// face, and an edge that runs straight through many cells is one edge. Same tree, same bytes.
+/// face, and an edge that runs straight through many cells is one edge. Same levels, same bytes.
 /// REQUIRES: a valid tree (validate.hpp). Throws std::logic_error, naming the place, if the result
 /// is not closed (a bug). In parallel; time O(nodes) as a rule, memory O(boundary).
 Surface rebuild_surface(const Octree& tree, std::uint32_t level = static_cast<std::uint32_t>(-1));
