@@ -6,7 +6,7 @@
 #include "client/commands/draw_formats.hpp"
 #include "client/commands/drawing_output.hpp"
 #include "client/lines/visible_lines.hpp"
-#include "client/rebuild/surface.hpp"
+#include "client/rebuild/surface_rebuilder.hpp"
 #include "common/base/errors.hpp"
 #include "common/base/interruption.hpp"
 #include "common/base/parallel.hpp"
@@ -35,7 +35,7 @@ LevelPictures draw_level(const LevelStream& stream, const std::vector<View>& vie
   level.level = stream.level();
   level.universe = tree.universe;
   level.pictures.resize(views.size());
-  const LineScene scene(tree, rebuild_surface(tree, level.level), level.level);
+  const LineScene scene(tree, rebuilder.rebuild(tree, level.level), level.level);
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
     options.crease_angle_deg = arguments.crease_angle_deg;
