@@ -27,8 +27,8 @@ Rectangle with_border(const Rectangle& frame) {
   return {frame.lower - border, frame.upper + border};
 }
 
-LevelPictures draw_level(const LevelStream& stream, const std::vector<View>& views,
-                         const DrawArguments& arguments) {
+LevelPictures draw_level(const LevelStream& stream, SurfaceRebuilder& rebuilder,
+                         const std::vector<View>& views, const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
   LevelPictures level;
   level.model = clean_text(stream.model_name(), kLongestTitle);
@@ -51,10 +51,11 @@ LevelPictures draw_level(const LevelStream& stream, const std::vector<View>& vie
 
 void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPage& page) {
   LevelStream stream(arguments.stream);
+  SurfaceRebuilder rebuilder;
   std::vector<View> views;
   const auto draw = [&] {
     stream.progress_line().show("drawing level " + std::to_string(stream.level()));
-    return draw_level(stream, views, arguments);
+    return draw_level(stream, rebuilder, views, arguments);
   };
   LevelPictures last;
   // While a level is drawn, the next one waits in the socket.
