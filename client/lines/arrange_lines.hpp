@@ -13,6 +13,7 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_
 
 /// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only the
 /// nearest; a visible line goes before a hidden one. O(n) if lines are spread over the picture.
+/// REQUIRES: all lines are in front of the viewer.
 VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance);
 
 /// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between

@@ -14,19 +14,19 @@ namespace spoctree {
 
 namespace {
 
-std::vector<ProjectedCrease> project_all(const std::vector<Crease>& creases,
-                                         const std::vector<bool>& is_wanted, const Camera& camera) {
-  std::vector<ProjectedCrease> projected(creases.size());
+std::vector<ProjectedLine> project_all(const std::vector<Crease>& creases,
+                                       const std::vector<bool>& is_wanted, const Camera& camera) {
+  std::vector<ProjectedLine> projected(creases.size());
   for (std::size_t k = 0; k < creases.size(); ++k) {
-    if (is_wanted[k]) projected[k] = project(creases[k], camera);
+    if (is_wanted[k]) projected[k] = project(creases[k].a, creases[k].b, camera);
   }
   return projected;
 }
 
 /// What of the frame the wanted creases take up: nothing else is looked at.
-Rectangle extent_of(const std::vector<ProjectedCrease>& creases, const Rectangle& frame) {
+Rectangle extent_of(const std::vector<ProjectedLine>& creases, const Rectangle& frame) {
   Rectangle extent{frame.upper, frame.lower};
-  for (const ProjectedCrease& crease : creases) {
+  for (const ProjectedLine& crease : creases) {
     if (!(crease.range.begin < crease.range.end)) continue;
     for (const Vec2 end : {crease.a, crease.b}) {
       extent.lower = glm::min(extent.lower, end);
@@ -250,7 +250,7 @@ class Looker {
   }
 
   void look_at(const CreasePart& part) {
-    const ProjectedCrease& crease = projected_[part.crease];
+    const ProjectedLine& crease = projected_[part.crease];
     const double begin = std::max(part.interval.begin, crease.range.begin);
     const double end = std::min(part.interval.end, crease.range.end);
     if (!(begin < end)) return;
@@ -259,7 +259,7 @@ class Looker {
                             uncovered_);
     for (const Interval& interval : uncovered_) {
       seen_.push_back(
-          {part.crease, {crease.to_crease(interval.begin), crease.to_crease(interval.end)}});
+          {part.crease, {crease.to_space(interval.begin), crease.to_space(interval.end)}});
     }
   }
 
@@ -276,7 +276,7 @@ class Looker {
   const std::vector<bool>& is_wanted_;
   const double reach_;
   const double tolerance_;
-  const std::vector<ProjectedCrease> projected_;
+  const std::vector<ProjectedLine> projected_;
   CoveredPicture covered_;
   std::vector<CreasePart> seen_;
   // Working memory.

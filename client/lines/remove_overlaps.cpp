@@ -3,6 +3,7 @@
 #include <glm/geometric.hpp>
 
 #include "client/lines/arrange_lines.hpp"
+#include "client/lines/view.hpp"
 
 namespace spoctree {
 
@@ -12,14 +13,12 @@ namespace {
 constexpr double kShortestOverlap = 4;
 
 /// A line in the picture.
-struct Trace {
-  Vec2 a{0.0};
-  Vec2 b{0.0};
+struct Trace : ProjectedLine {
   Vec2 direction{0.0};  ///< unit
   double length = 0;
 };
 
-/// A part of a line that another one takes over.
+/// A part of a line that another one takes over: parameters in the picture.
 struct Cut {
   std::uint32_t line = 0;
   double begin = 0;
@@ -136,7 +135,8 @@ class OverlapFinder {
   bool goes_before(std::uint32_t p, double at_p, std::uint32_t q, double at_q) const {
     if (lines_[p].hidden != lines_[q].hidden) return lines_[q].hidden;
     const auto nearness = [&](std::uint32_t line, double t) {
-      return camera_.nearness(lines_[line].a + t * (lines_[line].b - lines_[line].a));
+      return camera_.nearness(lines_[line].a +
+                              traces_[line].to_space(t) * (lines_[line].b - lines_[line].a));
     };
     const double ahead = nearness(p, at_p) - nearness(q, at_q);
     return std::abs(ahead) > tolerance_ ? ahead > 0 : p < q;
@@ -155,7 +155,7 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
   std::vector<Trace> traces;
   traces.reserve(lines.size());
   for (const VisibleLine& line : lines) {
-    Trace trace{camera.project(line.a), camera.project(line.b)};
+    Trace trace{project(line.a, line.b, camera)};
     trace.length = glm::distance(trace.a, trace.b);
     if (trace.length > 0) trace.direction = (trace.b - trace.a) / trace.length;
     traces.push_back(trace);
@@ -180,8 +180,11 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     const auto keep_until = [&](double to) {
       if (to - from < shortest && (from > 0 || to < 1)) return;
       VisibleLine part = lines[k];
-      if (from > 0) part.a = lines[k].a + from * (lines[k].b - lines[k].a);
-      if (to < 1) part.b = lines[k].a + to * (lines[k].b - lines[k].a);
+      const auto at = [&](double s) {
+        return lines[k].a + traces[k].to_space(s) * (lines[k].b - lines[k].a);
+      };
+      if (from > 0) part.a = at(from);
+      if (to < 1) part.b = at(to);
       result.push_back(part);
     };
     for (; cut != finder.cuts.end() && cut->line == k; ++cut) {

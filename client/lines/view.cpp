@@ -4,12 +4,12 @@
 
 namespace spoctree {
 
-ProjectedCrease project(const Crease& crease, const Camera& camera) {
-  ProjectedCrease projected;
+ProjectedLine project(Vec3 a, Vec3 b, const Camera& camera) {
+  ProjectedLine projected;
   projected.range = {0, 1};
   const double least = camera.least_depth();
-  const double depth_a = camera.depth(crease.a);
-  const double depth_b = camera.depth(crease.b);
+  const double depth_a = camera.depth(a);
+  const double depth_b = camera.depth(b);
   if (depth_a < least && depth_b < least) {
     projected.range.end = 0;
     return projected;
@@ -17,11 +17,10 @@ ProjectedCrease project(const Crease& crease, const Camera& camera) {
   const double border = (least - depth_a) / (depth_b - depth_a);
   if (depth_a < least) projected.range.begin = border;
   if (depth_b < least) projected.range.end = border;
-  const auto at = [&](double t) { return crease.a + t * (crease.b - crease.a); };
   projected.depth_a = std::max(depth_a, least);
   projected.depth_b = std::max(depth_b, least);
-  projected.a = camera.project(depth_a < least ? at(border) : crease.a);
-  projected.b = camera.project(depth_b < least ? at(border) : crease.b);
+  projected.a = camera.project(depth_a < least ? a + border * (b - a) : a);
+  projected.b = camera.project(depth_b < least ? a + border * (b - a) : b);
   return projected;
 }
 

@@ -11,28 +11,28 @@
 
 namespace spoctree {
 
-/// A crease in the picture, or what of it is far enough in front of the viewer: the points
-/// a + t (b - a) of the crease with t in `range`. In a perspective, a point half-way along the
-/// crease is not half-way along the line in the picture: parameters are converted.
-struct ProjectedCrease {
+/// A line of space in the picture, or what of it is far enough in front of the viewer: the points
+/// a + t (b - a) with t in `range`. In a perspective, a point half-way along the line is not
+/// half-way along it in the picture: parameters are converted.
+struct ProjectedLine {
   Vec2 a{0.0};
   Vec2 b{0.0};
   Interval range;      ///< empty if nothing is in front of the viewer
   double depth_a = 1;  ///< at the ends of the range
   double depth_b = 1;
 
-  /// The parameter of the line in the picture for a parameter of the crease.
+  /// The parameter of a point in the picture, where the range is from 0 to 1.
   double to_picture(double t) const {
     const double u = (t - range.begin) / (range.end - range.begin);
     return u * depth_b / (depth_a + u * (depth_b - depth_a));
   }
-  double to_crease(double s) const {
+  double to_space(double s) const {
     const double u = s * depth_a / (depth_b + s * (depth_a - depth_b));
     return range.begin + u * (range.end - range.begin);
   }
 };
 
-ProjectedCrease project(const Crease& crease, const Camera& camera);
+ProjectedLine project(Vec3 a, Vec3 b, const Camera& camera);
 
 /// The smallest rectangle around a box; nothing if some of it is not in front of the viewer.
 std::optional<Rectangle> extent_of_box(const NodeBox& box, const Camera& camera);

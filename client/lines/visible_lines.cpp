@@ -8,6 +8,7 @@
 #include "client/lines/extent.hpp"
 #include "client/lines/find_seen_parts.hpp"
 #include "client/lines/line_source.hpp"
+#include "client/lines/view.hpp"
 #include "common/base/errors.hpp"
 #include "common/geometry/tolerances.hpp"
 
@@ -53,6 +54,18 @@ std::vector<CreasePart> rest_of(std::span<const std::uint32_t> wanted,
     if (from < 1) rest.push_back({crease, {from, 1}});
   }
   return rest;
+}
+
+void keep_what_is_in_front(std::vector<CreasePart>& parts, const Creases& creases,
+                           const Camera& camera) {
+  for (CreasePart& part : parts) {
+    const Crease& crease = creases.creases[part.crease];
+    const Interval range = project(crease.a, crease.b, camera).range;
+    part.interval.begin = std::max(part.interval.begin, range.begin);
+    part.interval.end = std::min(part.interval.end, range.end);
+  }
+  std::erase_if(parts,
+                [](const CreasePart& part) { return !(part.interval.begin < part.interval.end); });
 }
 
 class LineMaker {
@@ -146,7 +159,10 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   std::vector<CreasePart> seen = find_seen_parts(scene, is_open, camera, frame);
   merge_parts(seen, creases, kShortestGlimpse * unit);
   std::vector<CreasePart> hidden;
-  if (options.with_hidden_lines) hidden = rest_of(wanted, seen);
+  if (options.with_hidden_lines) {
+    hidden = rest_of(wanted, seen);
+    keep_what_is_in_front(hidden, creases, camera);
+  }
   if (options.split_by_source) {
     seen = cut_at_leaves(seen, scene.parts(), creases.creases.size());
     hidden = cut_at_leaves(hidden, scene.parts(), creases.creases.size());

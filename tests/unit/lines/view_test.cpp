@@ -8,26 +8,26 @@
 namespace spoctree {
 namespace {
 
-TEST(ProjectedCrease, ConvertsParametersBothWays) {
+TEST(ProjectedLine, ConvertsParametersBothWays) {
   const Camera camera = Camera::perspective({0, -3, 0.5}, {0.1, 0, 0});
   const Crease crease{{-0.4, -0.9, 0.2}, {0.7, 0.8, -0.3}};
-  const ProjectedCrease projected = project(crease, camera);
+  const ProjectedLine projected = project(crease.a, crease.b, camera);
   for (const double t : {0.0, 0.1, 0.5, 0.77, 1.0}) {
     const Vec2 in_space = camera.project(crease.a + t * (crease.b - crease.a));
     const double s = projected.to_picture(t);
     EXPECT_LT(glm::distance(in_space, projected.a + s * (projected.b - projected.a)), 1e-14);
-    EXPECT_NEAR(projected.to_crease(s), t, 1e-14);
+    EXPECT_NEAR(projected.to_space(s), t, 1e-14);
   }
 }
 
-TEST(ProjectedCrease, EndsInFrontOfTheViewer) {
+TEST(ProjectedLine, EndsInFrontOfTheViewer) {
   const Camera camera = Camera::perspective({0, 0, 0}, {0, 1, 0});
   const Crease crease{{0.1, -1, 0}, {0.1, 1, 0}};
-  const ProjectedCrease projected = project(crease, camera);
+  const ProjectedLine projected = project(crease.a, crease.b, camera);
   EXPECT_NEAR(projected.range.begin, 0.5 * (1 + camera.least_depth()), 1e-12);
   EXPECT_EQ(projected.range.end, 1);
   EXPECT_NEAR(projected.b.x, 0.1, 1e-15);
-  const ProjectedCrease behind = project({{0.1, -1, 0}, {0.1, -0.1, 0}}, camera);
+  const ProjectedLine behind = project(Vec3{0.1, -1, 0}, Vec3{0.1, -0.1, 0}, camera);
   EXPECT_LE(behind.range.end, behind.range.begin);
 }
 
