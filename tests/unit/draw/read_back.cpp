@@ -9,10 +9,14 @@ namespace spoctree::test {
 
 namespace {
 
+// Regular expressions of the standard library recurse for every letter: not for whole tags.
+
 std::string attribute(const std::string& tag, const std::string& name) {
-  std::smatch match;
-  const std::regex pattern("\\s" + name + "=\"([^\"]*)\"");
-  return std::regex_search(tag, match, pattern) ? match[1].str() : "";
+  const std::string before = ' ' + name + "=\"";
+  const std::size_t begin = tag.find(before);
+  if (begin == std::string::npos) return "";
+  const std::size_t value = begin + before.size();
+  return tag.substr(value, tag.find('"', value) - value);
 }
 
 void append_path(const std::string& data, const Segment& attributes, std::vector<Segment>& all) {
@@ -50,9 +54,8 @@ void append_path(const std::string& data, const Segment& attributes, std::vector
 std::vector<Segment> read_svg(const std::string& svg) {
   std::vector<Segment> segments;
   std::string group;
-  static const std::regex tag("<[^>]*>");
-  for (std::sregex_iterator it(svg.begin(), svg.end(), tag), end; it != end; ++it) {
-    const std::string text = it->str();
+  for (std::size_t at = svg.find('<'); at != std::string::npos; at = svg.find('<', at + 1)) {
+    const std::string text = svg.substr(at, svg.find('>', at) + 1 - at);
     if (text.rfind("<g ", 0) == 0) group = attribute(text, "class");
     if (text == "</g>") group.clear();
     if (text.rfind("<path ", 0) != 0) continue;
@@ -132,20 +135,36 @@ std::vector<Segment> read_hpgl(const std::string& hpgl) {
 }
 
 bool is_well_formed_xml(const std::string& text) {
-  static const std::regex tag(
-      "<(/?)([A-Za-z][A-Za-z0-9]*)((?:\\s+[-A-Za-z]+=\"[^\"<]*\")*)\\s*(/?)>");
+  static const std::regex name_pattern("[A-Za-z][-A-Za-z0-9]*");
   std::vector<std::string> open;
-  std::size_t at = 0;
-  while ((at = text.find('<', at)) != std::string::npos) {
-    std::smatch match;
-    const std::string rest = text.substr(at, 100'000);
-    if (!std::regex_search(rest, match, tag, std::regex_constants::match_continuous)) return false;
-    at += match.length();
-    if (match[1].length() > 0) {
-      if (open.empty() || open.back() != match[2].str()) return false;
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at)) {
+    const bool is_closing = text.compare(at + 1, 1, "/") == 0;
+    at += is_closing ? 2 : 1;
+    const auto take_name = [&] {
+      const std::size_t end = text.find_first_of(" \n=/>\"<", at);
+      const std::string name = end == std::string::npos ? "" : text.substr(at, end - at);
+      at += name.size();
+      return name;
+    };
+    const std::string element = take_name();
+    if (!std::regex_match(element, name_pattern)) return false;
+    while (text.find_first_of(" \n", at) == at) {
+      at = text.find_first_not_of(" \n", at);
+      if (at == std::string::npos) return false;
+      if (text[at] == '>' || text[at] == '/') break;
+      if (!std::regex_match(take_name(), name_pattern) || text.compare(at, 2, "=\"") != 0)
+        return false;
+      const std::size_t end = text.find_first_of("\"<", at + 2);
+      if (end == std::string::npos || text[end] != '"') return false;
+      at = end + 1;
+    }
+    const bool is_empty = text.compare(at, 2, "/>") == 0;
+    if (!is_empty && text.compare(at, 1, ">") != 0) return false;
+    if (is_closing) {
+      if (open.empty() || open.back() != element) return false;
       open.pop_back();
-    } else if (match[4].length() == 0) {
-      open.push_back(match[2].str());
+    } else if (!is_empty) {
+      open.push_back(element);
     }
   }
   return open.empty();

@@ -57,6 +57,13 @@ TEST(Svg, HoldsTheSegmentsWithTheirClassesAndPlanes) {
   EXPECT_NE(svg.find("data-node=\"convex\" data-level=\"3\""), std::string::npos);
 }
 
+TEST(ReadBack, TellsMarkupThatIsNotWellFormed) {
+  EXPECT_TRUE(is_well_formed_xml("<a b=\"1\" c-d=\"\"><e/>text<f\ng=\"2\"/></a>"));
+  for (const char* bad : {"<a>", "<a></b>", "</a>", "<a b=1/>", "<a b=\"1/>", "<a b=\"<\"/>",
+                          "<a b/>", "<a><b></a></b>", "<>", "<a", "1 < 2"})
+    EXPECT_FALSE(is_well_formed_xml(bad)) << bad;
+}
+
 TEST(Svg, IsWellFormedAndInMillimetres) {
   const std::string svg = to_svg(sample_drawing());
   EXPECT_TRUE(is_well_formed_xml(svg));
