@@ -20,7 +20,7 @@ constexpr std::size_t kMostLooseTriangles = 4;
 constexpr std::size_t kMostLooseNeighbours = 64;
 
 bool can_loosen(const FlatGroup& group) {
-  return group.is_exact && !group.is_loose && group.triangles.size() <= kMostLooseTriangles;
+  return group.is_flat && !group.is_loose && group.triangles.size() <= kMostLooseTriangles;
 }
 
 // Which groups have to be fitted together: they share corners.
@@ -61,7 +61,7 @@ class Rounds {
  private:
   bool may_move(std::uint32_t g) const {
     const FlatGroup& group = groups_.groups[g];
-    return (!group.is_exact || group.is_loose) && !group.triangles.empty();
+    return group.may_move() && !group.triangles.empty();
   }
   std::vector<std::vector<std::uint32_t>> components_with_changes() const;
   bool loosen(const std::vector<CornerConflict>& conflicts);

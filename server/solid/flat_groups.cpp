@@ -89,22 +89,35 @@ void fit_again(const FlatSurface& surface, FlatGroup& group) {
   group.plane = fitted.plane;
   group.area = fitted.area;
   group.is_exact = fitted.is_exact;
+  group.is_flat =
+      fitted.is_exact ||
+      std::all_of(group.triangles.begin(), group.triangles.end(), [&](std::uint32_t t) {
+        const Corners& corners = surface.triangles[t];
+        return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+          return is_on(fitted.plane, surface.points[v]);
+        });
+      });
 }
 
 std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,
                                    std::span<const CornerConflict> conflicts) {
   std::vector<std::uint32_t> released;
   std::vector<std::uint32_t> changed;
-  const auto leave = [&](std::uint32_t t) {
-    groups.of_triangle[t] = kNone;
-    released.push_back(t);
-  };
-  for (const auto& [vertex, group] : conflicts) {
-    changed.push_back(group);
+  std::vector<std::uint32_t> left;  // the groups that one corner cannot lie on
+  for (std::size_t i = 0; i < conflicts.size();) {
+    const std::uint32_t vertex = conflicts[i].vertex;
+    left.clear();
+    for (; i < conflicts.size() && conflicts[i].vertex == vertex; ++i) {
+      left.push_back(conflicts[i].group);
+    }
+    std::sort(left.begin(), left.end());
     visit_fan(surface.triangles, surface.neighbours, surface.triangle_at[vertex], vertex,
-              [&, g = group](std::uint32_t t) {
-                if (groups.of_triangle[t] == g) leave(t);
+              [&](std::uint32_t t) {
+                if (!std::binary_search(left.begin(), left.end(), groups.of_triangle[t])) return;
+                groups.of_triangle[t] = kNone;
+                released.push_back(t);
               });
+    changed.insert(changed.end(), left.begin(), left.end());
   }
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());

@@ -10,8 +10,11 @@ struct FlatGroup {
   GridPlane plane;
   double area = 0;        ///< universe units
   bool is_exact = true;   ///< the planes of all its triangles are equal to `plane` already
+  bool is_flat = true;    ///< all its corners are on `plane` already, up to the grid
   bool is_loose = false;  ///< the plane may move although they are
   std::vector<std::uint32_t> triangles;
+
+  bool may_move() const { return !is_flat || is_loose; }
 };
 
 struct FlatGroups {
@@ -33,7 +36,8 @@ struct CornerConflict {
 
 /// Takes the triangles around the corners out of the groups. A group of which less than two are
 /// left falls apart; the planes of the others stay. Returns the triangles that are in no group any
-/// more. Linear in the triangles around the corners and in the groups.
+/// more. Linear in the triangles around the corners and in the groups, where the conflicts of a
+/// corner stand together.
 std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,
                                    std::span<const CornerConflict> conflicts);
 

@@ -23,6 +23,18 @@ struct GridPlane {
   auto operator<=>(const GridPlane&) const = default;
 };
 
+/// A corner within this of a plane counts as on it: it is what rounding planes and corners to the
+/// grid makes of one that is. Universe units.
+inline constexpr long double kGridFlatness = 0x1p-49L;
+
+/// True if the point is within kGridFlatness of the plane. Exact.
+inline bool is_on(const GridPlane& plane, const GridPoint& point) {
+  constexpr Int128 kMost = Int128{1} << (2 * kGridBits - 49);
+  static_assert(kGridFlatness == 0x1p-49L);
+  const Int128 height = plane.height(point) - (static_cast<Int128>(plane.offset) << kGridBits);
+  return -kMost <= height && height <= kMost;
+}
+
 /// The grid plane nearest to the plane through `point` with the direction of `area`: each of the
 /// four numbers is the correctly rounded value of the exact one. So triangles in exactly one plane
 /// get equal planes, whichever their shapes and sizes.

@@ -6,8 +6,10 @@
 #include <set>
 #include <utility>
 
+#include "common/base/parallel.hpp"
 #include "server/solid/fit_jointly.hpp"
 #include "server/solid/mend_folds.hpp"
+#include "server/solid/merging_gain.hpp"
 #include "server/solid/planar_patch.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_corners.hpp"
@@ -49,16 +51,30 @@ std::array<double, 2> finest_of(const Corners& t, std::span<const GridPoint> poi
   return {shortest, std::sqrt(squared) * 0x1p-104 / longest};
 }
 
+struct Grouping {
+  FlatGroups in_planes;  // already
+  FlatGroups flat;       // within the tolerance
+};
+
+Grouping find_groups(const FlatSurface& surface, double tolerance) {
+  Grouping found;
+  parallel_invoke([&] { found.in_planes = find_groups_in_planes(surface); },
+                  [&] { found.flat = find_flat_groups(surface, tolerance); });
+  return found;
+}
+
 class Merger {
  public:
-  Merger(const GridMesh& mesh, const FlatSurface& surface, const BoxTree& boxes,
+  Merger(const GridMesh& mesh, const FlatSurface& surface, Grouping groups, const BoxTree& boxes,
          const ShellJudgement& shells, double tolerance)
       : mesh_(mesh),
         surface_(surface),
         boxes_(boxes),
         shells_(shells),
         tolerance_(to_height(tolerance)),
-        settler_(make_settler(surface, kMostMoves * tolerance, tolerance)) {}
+        gain_(surface, std::move(groups.in_planes)),
+        is_given_back_(surface.triangles.size(), 0),
+        settler_(make_settler(surface, std::move(groups.flat), kMostMoves * tolerance)) {}
 
   /// Nothing if it does not work out.
   std::optional<PlanarSurface> merge();
@@ -72,8 +88,10 @@ class Merger {
     bool has_folds = false;              // some of them are upside down in their groups
   };
 
-  static CornerSettler make_settler(const FlatSurface& surface, double most_move, double tolerance);
+  static CornerSettler make_settler(const FlatSurface& surface, FlatGroups groups,
+                                    double most_move);
   Attempt attempt();
+  void settle();
   void find_wrong(Attempt& attempt);
   std::vector<std::array<std::uint32_t, 2>> find_intersections(const Attempt& attempt);
   bool has_collapsed(const Attempt& attempt, std::uint32_t triangle) const;
@@ -87,6 +105,8 @@ class Merger {
   const BoxTree& boxes_;
   const ShellJudgement& shells_;
   Int128 tolerance_;  // as a height
+  MergingGain gain_;
+  std::vector<std::uint8_t> is_given_back_;  // triangles
   CornerSettler settler_;
   std::set<std::uint32_t> regrouped_;  // triangles
 
@@ -100,14 +120,27 @@ class Merger {
   std::optional<Judged> judged_;
 };
 
-CornerSettler Merger::make_settler(const FlatSurface& surface, double most_move, double tolerance) {
-  FlatGroups groups = find_flat_groups(surface, tolerance);
+CornerSettler Merger::make_settler(const FlatSurface& surface, FlatGroups groups,
+                                   double most_move) {
   JointFit fit = fit_jointly(surface, groups, most_move);
   return {surface, std::move(groups), std::move(fit), most_move};
 }
 
+// Where merging saves next to nothing, the surface stays as it was. No triangle is given back
+// twice.
+void Merger::settle() {
+  for (;;) {
+    settler_.settle();
+    auto wasted = gain_.find_wasted(settler_.groups(), settler_.points());
+    std::erase_if(wasted, [&](std::uint32_t t) { return is_given_back_[t] != 0; });
+    if (wasted.empty()) return;
+    for (const std::uint32_t t : wasted) is_given_back_[t] = 1;
+    settler_.give_back(wasted, gain_.before());
+  }
+}
+
 Merger::Attempt Merger::attempt() {
-  settler_.settle();
+  settle();
   const FlatGroups& groups = settler_.groups();
   Attempt made;
   made.surface = {settler_.points(),
@@ -302,6 +335,7 @@ std::optional<PlanarSurface> Merger::finish(Attempt attempt) const {
     const std::uint32_t group = groups.of_triangle[t];
     if (group != kNone) merged.planes[t] = groups.groups[group].plane;
   }
+  if (number_planes(merged.planes).first.size() > surface_.distinct_planes) return std::nullopt;
   double squared_move = 0;
   for (std::size_t v = 0; v < mesh_.vertices.size(); ++v) {
     const Vec3 way = merged.mesh.vertices[v] - mesh_.vertices[v];
@@ -328,7 +362,8 @@ PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const 
                           const ShellJudgement& shells, double tolerance) {
   FlatSurface surface = make_flat_surface(mesh.vertices, mesh.triangles, neighbours);
   if (tolerance > 0) {
-    auto merged = Merger(mesh, surface, boxes, shells, tolerance).merge();
+    auto merged =
+        Merger(mesh, surface, find_groups(surface, tolerance), boxes, shells, tolerance).merge();
     if (merged) {
       merged->planes_before_merging = surface.distinct_planes;
       return std::move(*merged);

@@ -24,7 +24,9 @@ struct PlanarSurface {
 /// twice that: no point farther than that from the surface changes sides. What comes out has been
 /// judged like what went in; where moved corners would make triangles vanish, turn over or meet
 /// others, they stay where they were, and what they belong to is merged no further than that
-/// allows. In the worst case nothing is merged. With tolerance 0 nothing moves.
+/// allows; where merging saves next to no planes, the surface stays as it was (merging_gain.hpp).
+/// There are never more planes than before. In the worst case nothing is merged. With tolerance 0
+/// nothing moves.
 /// Near-linear. REQUIRES: a judged surface that faces outwards, `boxes` of its triangles;
 /// 0 <= tolerance < 0.5.
 PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const BoxTree& boxes,

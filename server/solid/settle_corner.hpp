@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "server/solid/grid_plane.hpp"
+
 namespace spoctree {
 
 /// A plane, seen from a corner. Lengths in universe units.
@@ -14,10 +16,6 @@ struct CornerPlane {
   long double height = 0;  ///< of the plane above the corner
   bool is_reached = false;
 };
-
-/// A corner within this of a plane counts as on it: it is what rounding planes and corners to the
-/// grid makes of one that is.
-inline constexpr long double kGridFlatness = 0x1p-49L;
 
 /// The shortest way from the corner to a point that lies on all planes it reaches. Planes are tried
 /// in order; one is reached if the point that lies on it and on those before it (at most three that

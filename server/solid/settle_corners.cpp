@@ -14,13 +14,6 @@ Int128 height_above(const GridPlane& plane, const GridPoint& point) {
   return (static_cast<Int128>(plane.offset) << kGridBits) - plane.height(point);
 }
 
-bool is_on(const GridPlane& plane, const GridPoint& point) {
-  constexpr Int128 kMost = Int128{1} << (2 * kGridBits - 49);
-  static_assert(kGridFlatness == 0x1p-49L);
-  const Int128 height = height_above(plane, point);
-  return -kMost <= height && height <= kMost;
-}
-
 // Closer to a plane than this (in units of 2^-104), a triangle beside it counts as in it. It is
 // about what rebuilding can still tell apart.
 constexpr Int128 kNearlyOn = Int128{1} << (2 * kGridBits - 33);
@@ -53,7 +46,7 @@ CornerSettler::CornerSettler(const FlatSurface& surface, FlatGroups groups, Join
       is_touched_(surface.points.size(), 0),
       is_adopted_(surface.triangles.size(), 0) {
   for (const FlatGroup& group : groups_.groups) {
-    if (group.is_exact && !group.is_loose) continue;
+    if (!group.may_move()) continue;
     for (const std::uint32_t t : group.triangles) touch_corners(t);
   }
 }
@@ -71,18 +64,44 @@ void CornerSettler::pin(std::uint32_t vertex) {
   touch(vertex);
 }
 
-void CornerSettler::regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group) {
+/// Whatever they are in.
+void CornerSettler::leave_groups(const std::vector<std::uint32_t>& triangles) {
   std::vector<std::uint32_t> left;
   for (const std::uint32_t t : triangles) {
-    if (groups_.of_triangle[t] != kNone) left.push_back(groups_.of_triangle[t]);
-    groups_.of_triangle[t] = group;
-    groups_.groups[group].triangles.push_back(t);
+    const std::uint32_t group = std::exchange(groups_.of_triangle[t], kNone);
+    if (group != kNone) left.push_back(group);
     touch_corners(t);
   }
   std::sort(left.begin(), left.end());
   left.erase(std::unique(left.begin(), left.end()), left.end());
   for (const std::uint32_t g : left) {
     for (const std::uint32_t t : drop_strangers(groups_, g)) touch_corners(t);
+  }
+}
+
+void CornerSettler::regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group) {
+  leave_groups(triangles);
+  for (const std::uint32_t t : triangles) {
+    groups_.of_triangle[t] = group;
+    groups_.groups[group].triangles.push_back(t);
+  }
+}
+
+void CornerSettler::give_back(const std::vector<std::uint32_t>& triangles,
+                              const FlatGroups& before) {
+  leave_groups(triangles);
+  std::vector<std::uint32_t> new_number(before.groups.size(), kNone);
+  for (const std::uint32_t t : triangles) {
+    if (before.of_triangle[t] == kNone) continue;
+    const FlatGroup& old_group = before.groups[before.of_triangle[t]];
+    std::uint32_t& number = new_number[before.of_triangle[t]];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(groups_.groups.size());
+      groups_.groups.push_back(old_group);
+      groups_.groups.back().triangles.clear();
+    }
+    groups_.of_triangle[t] = number;
+    groups_.groups[number].triangles.push_back(t);
   }
 }
 
@@ -152,7 +171,7 @@ bool CornerSettler::adopt() {
   bool has_adopted = false;
   std::vector<std::uint32_t> adopted;
   for (std::uint32_t g = 0; g < groups_.groups.size(); ++g) {
-    if (groups_.groups[g].is_exact && !groups_.groups[g].is_loose) continue;
+    if (!groups_.groups[g].may_move()) continue;
     // The list grows while it is walked: by neighbours of what has been adopted, too.
     for (std::size_t i = 0; i < groups_.groups[g].triangles.size(); ++i) {
       for (const std::uint32_t n : surface_.neighbours[groups_.groups[g].triangles[i]]) {

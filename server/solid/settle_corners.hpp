@@ -23,6 +23,10 @@ class CornerSettler {
   /// yet.
   void regroup(const std::vector<std::uint32_t>& triangles, std::uint32_t group);
 
+  /// The triangles go back into the groups, or into none, that `before` has them in: equal planes,
+  /// on which all corners were before any moved. From the next settle() on.
+  void give_back(const std::vector<std::uint32_t>& triangles, const FlatGroups& before);
+
   /// Moves corners and takes triangles out of groups until every corner is within kGridFlatness of
   /// the planes of all groups around it (before it is rounded to the grid, at most). Ends because
   /// every round takes a triangle out of a group; near-linear, as few rounds concern more than a
@@ -35,6 +39,7 @@ class CornerSettler {
   bool is_moved(std::uint32_t vertex) const { return points_[vertex] != surface_.points[vertex]; }
 
  private:
+  void leave_groups(const std::vector<std::uint32_t>& triangles);
   void settle_touched();
   bool adopt();
   bool is_nearly_on(const GridPlane& plane, std::uint32_t triangle) const;
