@@ -5,9 +5,11 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <queue>
+#include <tuple>
 #include <utility>
 #include <vector>
 
+#include "common/geometry/half_space_clipper.hpp"
 #include "common/geometry/polyhedron_clipper.hpp"
 #include "common/tree/expression.hpp"
 #include "server/build/certify.hpp"
@@ -23,6 +25,10 @@ constexpr double kDistanceRounding = 1e-12;
 /// Nodes and boxes opened for one level at most.
 constexpr std::size_t kMostSteps = 20000;
 
+/// A leaf of more planes is not divided into its pieces of material and what is between them, of
+/// which there may be as many: it is searched as it is.
+constexpr std::size_t kMostPlanesDivided = 256;
+
 /// Doubles tell a point's side of a plane to better than this.
 constexpr double kSideRounding = 1e-14;
 
@@ -37,6 +43,26 @@ bool may_meet(const Polyhedron& part, const PlaneSet& planes, Vec3 centre, Vec3 
     if (value > 0) centre_is_inside = false;
   }
   return true;
+}
+
+bool comes_before(const PolyhedronVertex& a, const PolyhedronVertex& b) {
+  const auto key = [](const PolyhedronVertex& v) {
+    return std::tie(v.position.x, v.position.y, v.position.z, v.planes[0], v.planes[1],
+                    v.planes[2]);
+  };
+  return key(a) < key(b);
+}
+
+/// The corners of a region, without its faces, that are not corners of the piece cut from it.
+Polyhedron corners_cut_off(const Polyhedron& region, const Polyhedron& piece) {
+  PlainVector<PolyhedronVertex> left = piece.vertices;
+  std::sort(left.begin(), left.end(), comes_before);
+  Polyhedron cut_off;
+  for (const PolyhedronVertex& vertex : region.vertices) {
+    if (std::binary_search(left.begin(), left.end(), vertex, comes_before)) continue;
+    cut_off.vertices.push_back(vertex);
+  }
+  return cut_off;
 }
 
 /// A best-first search for the point of T_k that is farthest from the solid.
@@ -68,6 +94,7 @@ class ExcessSearch {
     Planes cuts;  ///< of the node and those above it, up to level k: T_k does not know of them
     Vec3 centre{0.0};
     Vec3 half{0.0};
+    bool has_material = false;  ///< in the region, whose excess is what is not inside the solid
     bool operator<(const Item& other) const { return bound < other.bound; }
   };
 
@@ -78,6 +105,10 @@ class ExcessSearch {
   void add_parts(const std::vector<Polyhedron>& parts, const std::vector<Polyhedron>& pieces,
                  double bound);
   void add_part(const Polyhedron& part, double bound);
+  void add_undivided(const NodeAddress& leaf, const Planes& cuts, double bound,
+                     const Polyhedron& region);
+  static double set_box(Item& item, const Polyhedron& part);
+  double bound_of_box(const Item& box, double radius, bool centre_is_in_region);
   void open_box(const Item& item);
 
   const BuiltOctree& built_;
@@ -85,6 +116,7 @@ class ExcessSearch {
   const SolidQueries& queries_;
   const PlaneSet planes_;
   PolyhedronClipper clipper_;
+  HalfSpaceClipper many_clipper_;
   std::priority_queue<Item> open_;
   double attained_;
 };
@@ -159,6 +191,11 @@ void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double
     add_part(region, bound);
     return;
   }
+  const auto planes = level.planes_of(leaf.index);
+  if (cuts.size() + planes.size() > kMostPlanesDivided) {
+    add_undivided(leaf, cuts, bound, region);
+    return;
+  }
   std::vector<Polyhedron> parts, pieces;
   Polyhedron inside, outside;
   // What is left of the region within the half-space.
@@ -168,7 +205,6 @@ void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double
     std::swap(region, inside);
     return found.inside;
   };
-  const auto planes = level.planes_of(leaf.index);
   bool has_rest = std::all_of(cuts.begin(), cuts.end(), cut);
   if (kind == NodeKind::Convex) {
     has_rest = has_rest && std::all_of(planes.begin(), planes.end(), cut);
@@ -219,20 +255,26 @@ void ExcessSearch::add_parts(const std::vector<Polyhedron>& parts,
   }
 }
 
-void ExcessSearch::add_part(const Polyhedron& part, double bound) {
+/// The smallest box around a polyhedron, and how far its corners are from the centre at most.
+double ExcessSearch::set_box(Item& item, const Polyhedron& part) {
   Vec3 lower = part.vertices.front().position;
   Vec3 upper = lower;
   for (const PolyhedronVertex& vertex : part.vertices) {
     lower = glm::min(lower, vertex.position);
     upper = glm::max(upper, vertex.position);
   }
-  Item item;
   item.centre = 0.5 * (lower + upper);
   item.half = 0.5 * (upper - lower);
   double radius = 0;
   for (const PolyhedronVertex& vertex : part.vertices) {
     radius = std::max(radius, glm::distance(item.centre, vertex.position) + vertex.error);
   }
+  return radius;
+}
+
+void ExcessSearch::add_part(const Polyhedron& part, double bound) {
+  Item item;
+  const double radius = set_box(item, part);
   item.bound = std::min(bound, queries_.distance(item.centre) + radius);
   if (!is_in_question(item.bound)) return;
   for (const PolyhedronVertex& vertex : part.vertices) {
@@ -241,6 +283,45 @@ void ExcessSearch::add_part(const Polyhedron& part, double bound) {
   if (!is_in_question(item.bound)) return;
   item.region = std::make_shared<const Polyhedron>(part);
   open_.push(std::move(item));
+}
+
+/// A leaf with its material in it. Where that is convex, nothing is farther from it than a corner.
+void ExcessSearch::add_undivided(const NodeAddress& leaf, const Planes& cuts, double bound,
+                                 const Polyhedron& region) {
+  for (const PolyhedronVertex& vertex : region.vertices) {
+    const double distance = queries_.distance(vertex.position) - vertex.error;
+    if (distance <= attained_) continue;
+    if (queries_.side_of(vertex.position) != SolidQueries::Side::In) attained_ = distance;
+  }
+  const Level& level = built_.tree.levels[leaf.level];
+  if (level.kinds[leaf.index] == NodeKind::Convex) {
+    Planes planes = cuts;
+    const auto own = level.planes_of(leaf.index);
+    planes.insert(planes.end(), own.begin(), own.end());
+    Polyhedron piece = region;
+    if (many_clipper_.clip(piece, planes, planes_)) {
+      bound = std::min(bound, largest_distance(corners_cut_off(region, piece), piece, planes_));
+    }
+  }
+  Item item;
+  item.has_material = true;
+  const double radius = set_box(item, region);
+  item.bound = std::min(bound, bound_of_box(item, radius, false));
+  if (!is_in_question(item.bound)) return;
+  item.region = std::make_shared<const Polyhedron>(region);
+  open_.push(std::move(item));
+}
+
+/// Nothing in the excess within `radius` of the centre is farther from the solid. Notes how far the
+/// centre is, if it belongs to the excess.
+double ExcessSearch::bound_of_box(const Item& box, double radius, bool centre_is_in_region) {
+  const double distance = queries_.distance(box.centre);
+  // From material, the way to what is beyond it leads through the boundary.
+  if (box.has_material && queries_.side_of(box.centre) == SolidQueries::Side::In) {
+    return std::max(0.0, radius - distance);
+  }
+  if (centre_is_in_region) attained_ = std::max(attained_, distance);
+  return distance + radius;
 }
 
 void ExcessSearch::open_box(const Item& item) {
@@ -252,9 +333,7 @@ void ExcessSearch::open_box(const Item& item) {
     }
     bool centre_is_inside = false;
     if (!may_meet(*item.region, planes_, part.centre, part.half, centre_is_inside)) continue;
-    const double distance = queries_.distance(part.centre);
-    if (centre_is_inside) attained_ = std::max(attained_, distance);
-    part.bound = std::min(item.bound, distance + glm::length(part.half));
+    part.bound = std::min(item.bound, bound_of_box(part, glm::length(part.half), centre_is_inside));
     if (is_in_question(part.bound)) open_.push(std::move(part));
   }
 }
