@@ -77,7 +77,7 @@ class Looker {
     const auto extent = extent_of_box(scene_.extents().of(node), camera_);
     if (extent && covered_.is_full(*extent)) return;
     if (is_leaf) {
-      look_at_leaf(node, kind, pieces, parts);
+      look_at_leaf(node, pieces, parts);
       return;
     }
     std::uint32_t nearest = 0;
@@ -91,7 +91,7 @@ class Looker {
     }
   }
 
-  void look_at_leaf(const NodeAddress& node, NodeKind kind, const LeafPieces* pieces,
+  void look_at_leaf(const NodeAddress& node, const LeafPieces* pieces,
                     std::span<const CreasePart> parts) {
     const Vec3 lower{wall(node.lower[0]), wall(node.lower[1]), wall(node.lower[2])};
     const double side = wall(node.lower[0] + node.size()) - lower.x;
@@ -108,8 +108,9 @@ class Looker {
     later_.clear();
     if (!waiting_.empty()) divide_by_bounds(*pieces);
     // What divide_by_bounds has put off is looked at last: it is not in use by then.
-    if (kind == NodeKind::Concave || kind == NodeKind::Vertex) {
-      walk_expression(node, kind, *pieces);
+    const auto expression = scene_.pieces().expression(*pieces);
+    if (!expression.empty()) {
+      walk_expression(node, *pieces, expression);
     } else {
       // What is waiting still lies within the piece, or behind it.
       cover(pieces->is_whole_cube ? cube_corners(lower, side)
@@ -196,14 +197,9 @@ class Looker {
 
   /// A stack of its own instead of recursion: there are as many splits within each other as the
   /// node has planes.
-  void walk_expression(const NodeAddress& node, NodeKind kind, const LeafPieces& pieces) {
-    const Level& level = tree_.levels[node.level];
-    const auto own = level.planes_of(node.index);
-    std::span<const std::uint32_t> tokens = level.expression_of(node.index);
-    if (kind == NodeKind::Concave) {
-      union_of(static_cast<std::uint32_t>(own.size()), union_);
-      tokens = union_;
-    }
+  void walk_expression(const NodeAddress& node, const LeafPieces& pieces,
+                       std::span<const std::uint32_t> tokens) {
+    const auto own = tree_.levels[node.level].planes_of(node.index);
     find_ends(tokens, ends_);
     number_in_cells(tokens, in_cells_);
     // The parts of the cells that are still to come; those of the nearest cell last.
@@ -283,7 +279,7 @@ class Looker {
   Vec3 cube_[8];
   std::vector<CreasePart> waiting_, divided_, later_, parts_, near_, far_;
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> union_, ends_, in_cells_;
+  std::vector<std::uint32_t> ends_, in_cells_;
   std::vector<Vec2> points_, outline_;
   std::vector<Interval> uncovered_;
 };

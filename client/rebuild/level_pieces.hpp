@@ -12,10 +12,11 @@ namespace spoctree {
 /// The material of a leaf, or of a GREY node of the level looked at.
 struct LeafPieces {
   std::uint32_t first_piece = 0;
-  std::uint32_t piece_count =
-      0;  ///< in-cells of the node's expression, up to the last with an interior; or one
+  std::uint32_t piece_count = 0;
   std::uint32_t first_bound = 0;
   std::uint32_t bound_count = 0;
+  std::uint32_t first_token = 0;
+  std::uint32_t token_count = 0;
   /// BLACK, and no ancestor's plane cuts it: the piece is the cube, and has no corners of its own.
   bool is_whole_cube = false;
 };
@@ -36,14 +37,18 @@ class LevelPieces {
     const std::uint32_t number = numbers_[node.level][node.index];
     return number == kNone ? nullptr : &leaves_[number];
   }
-  /// The corners of a leaf's piece in universe coordinates; none of an in-cell without interior.
-  std::span<const Vec3> corners(const LeafPieces& leaf, std::uint32_t part) const {
-    if (part >= leaf.piece_count) return {};
-    const std::uint32_t* const begin = &corner_begin_[leaf.first_piece + part];
+  /// The corners of a leaf's piece, in universe coordinates.
+  std::span<const Vec3> corners(const LeafPieces& leaf, std::uint32_t piece) const {
+    const std::uint32_t* const begin = &corner_begin_[leaf.first_piece + piece];
     return {corners_.data() + begin[0], begin[1] - begin[0]};
   }
-  /// The planes of the table that pieces have faces on, as outer sides; for nodes with an
-  /// expression only those that are not in it.
+  /// CONCAVE and VERTEX leaves: their expression over their own planes, in preorder, without the
+  /// splits that leave no interior on one side; the pieces are those of its in-cells, in this
+  /// order. Nothing for other nodes.
+  std::span<const std::uint32_t> expression(const LeafPieces& leaf) const {
+    return {tokens_.data() + leaf.first_token, leaf.token_count};
+  }
+  /// The planes of the table that bound the region of a node with an expression, or else the piece.
   std::span<const std::uint32_t> bounds(const LeafPieces& leaf) const {
     return {bounds_.data() + leaf.first_bound, leaf.bound_count};
   }
@@ -57,6 +62,7 @@ class LevelPieces {
   std::vector<std::uint32_t> corner_begin_;
   std::vector<Vec3> corners_;
   std::vector<std::uint32_t> bounds_;
+  std::vector<std::uint32_t> tokens_;
 };
 
 }  // namespace spoctree

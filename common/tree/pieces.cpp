@@ -65,14 +65,15 @@ class Walker {
     const NodeKind kind = level.kinds[address.index];
     if (!visitor_->enter(address, kind, region)) return;
     const auto planes = level.planes_of(address.index);
+    part_ = 0;
     switch (kind) {
       case NodeKind::White:
         break;
       case NodeKind::Black:
-        emit(address, kind, 0, region);
+        emit(address, kind, region);
         break;
       case NodeKind::Convex:
-        if (regions_.clip(region, planes)) emit(address, kind, 0, region);
+        if (regions_.clip(region, planes)) emit(address, kind, region);
         break;
       case NodeKind::Concave:
         union_of(static_cast<std::uint32_t>(planes.size()), union_);
@@ -84,7 +85,7 @@ class Walker {
       case NodeKind::Grey:
         if (!regions_.clip(region, planes)) break;
         if (address.level == last_level_) {
-          emit(address, kind, 0, region);
+          emit(address, kind, region);
         } else {
           visitor_->inner(address, region);
           for_each_child(address, level.first_child[address.index], region,
@@ -99,9 +100,8 @@ class Walker {
     visitor_->leave(address);
   }
 
-  void emit(const NodeAddress& address, NodeKind kind, std::uint32_t part,
-            const Polyhedron& piece) {
-    visitor_->piece(address, kind, part, piece);
+  void emit(const NodeAddress& address, NodeKind kind, const Polyhedron& piece) {
+    visitor_->piece(address, kind, part_++, piece);
   }
 
   bool is_wanted(NodeKind kind) const {
@@ -133,7 +133,6 @@ class Walker {
                         std::span<const std::uint32_t> planes,
                         std::span<const std::uint32_t> expression) {
     find_ends(expression, ends_);
-    number_in_cells(expression, in_cells_);
     // The polyhedra of the parts that are still to be visited are the last ones in use, and the
     // nearest of them is on top.
     const std::size_t bottom = open_parts_.size();
@@ -144,7 +143,7 @@ class Walker {
       const std::uint32_t at = open_parts_.back();
       const std::uint32_t token = expression[at];
       if (token < kFirstPlaneToken) {
-        if (token == kInToken) emit(address, kind, in_cells_[at], part);
+        if (token == kInToken) emit(address, kind, part);
         open_parts_.pop_back();
         release();
         continue;
@@ -197,8 +196,8 @@ class Walker {
   Polyhedron far_part_;                    // of the split at hand
   std::vector<std::uint32_t> open_parts_;  // where their expressions go on
   std::vector<std::uint32_t> ends_;        // of the expression at hand
-  std::vector<std::uint32_t> in_cells_;    // their numbers, by token
   std::vector<std::uint32_t> union_;
+  std::uint32_t part_ = 0;
 };
 
 }  // namespace

@@ -32,9 +32,7 @@ class PieceVisitor {
   /// A GREY node above the last level looked at: its region clipped by its own planes, which has an
   /// interior. Comes between `enter` and the children.
   virtual void inner(const NodeAddress&, const Polyhedron& /*region*/) {}
-  /// A convex piece of material. `part` is its number among the in-cells of the node's expression
-  /// (of a CONCAVE node: what `union_of` says), in preorder; those that have no interior are passed
-  /// over. 0 where the node has no expression.
+  /// A convex piece of material. `part` counts the pieces of one node from 0.
   virtual void piece(const NodeAddress&, NodeKind, std::uint32_t part, const Polyhedron&) = 0;
   /// The node entered last, and not left yet, is done. Not called for skipped nodes.
   virtual void leave(const NodeAddress&) {}
