@@ -1,6 +1,8 @@
 #include "client/rebuild/chain.hpp"
 
 #include <algorithm>
+#include <tuple>
+#include <utility>
 
 #include "client/rebuild/radix_sort.hpp"
 
@@ -29,12 +31,29 @@ void normalize(Chain& chain, std::size_t vertex_count) {
   chain.resize(kept);
 }
 
+void add_to_chain(Chain& chain, Chain&& more, std::size_t vertex_count) {
+  if (more.empty()) return;
+  normalize(more, vertex_count);
+  const auto key = [](const ChainEdge& edge) { return std::tie(edge.a, edge.b, edge.carrier); };
+  Chain sum;
+  sum.reserve(chain.size() + more.size());
+  auto next = more.cbegin();
+  for (const ChainEdge& edge : chain) {
+    for (; next != more.cend() && key(*next) < key(edge); ++next) sum.push_back(*next);
+    sum.push_back(edge);
+    if (next == more.cend() || key(*next) != key(edge)) continue;
+    sum.back().count += (next++)->count;
+    if (sum.back().count == 0) sum.pop_back();
+  }
+  sum.insert(sum.end(), next, more.cend());
+  chain.swap(sum);
+}
+
 namespace {
 
 class StraightJoiner {
  public:
-  StraightJoiner(const Chain& chain, std::size_t vertex_count)
-      : chain_(chain), at_vertex_(vertex_count) {
+  StraightJoiner(Chain& chain, std::size_t vertex_count) : chain_(chain), at_vertex_(vertex_count) {
     for_each_edge(chain, [&](std::size_t begin, std::size_t end) {
       const auto edge = static_cast<std::uint32_t>(edges_.size());
       edges_.push_back({static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)});
@@ -49,9 +68,10 @@ class StraightJoiner {
     }
   }
 
-  Chain join() {
-    Chain result;
+  /// Divides the chain into what stays as it is, in the same order, and what is joined.
+  void join(Chain& unchanged, Chain& joined) {
     std::vector<bool> done(edges_.size(), false);
+    std::vector<bool> is_joined(edges_.size(), false);
     std::vector<std::uint32_t> run;
     for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
       if (done[edge]) continue;
@@ -61,6 +81,7 @@ class StraightJoiner {
       if (!from_a && at_vertex_[first.b].is_straight) continue;
       const std::uint32_t start = from_a ? first.a : first.b;
       std::uint32_t at = from_a ? first.b : first.a;
+      if (!at_vertex_[at].is_straight) continue;
       std::uint32_t last = edge;
       run.assign(1, edge);
       while (at_vertex_[at].is_straight) {
@@ -71,19 +92,23 @@ class StraightJoiner {
         at = next.a == at ? next.b : next.a;
       }
       for (const std::uint32_t member : run) done[member] = true;
-      if (at == start) {
-        for (const std::uint32_t member : run) keep(member, result);
-        continue;
-      }
+      if (at == start) continue;
+      for (const std::uint32_t member : run) is_joined[member] = true;
       for (std::uint32_t i = edges_[edge].begin; i < edges_[edge].end; ++i) {
         const ChainEdge& use = chain_[i];
-        result.push_back(directed_edge(start, at, use.carrier, from_a ? use.count : -use.count));
+        joined.push_back(directed_edge(start, at, use.carrier, from_a ? use.count : -use.count));
       }
     }
-    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
-      if (!done[edge]) keep(edge, result);
+    if (joined.empty()) {
+      unchanged.swap(chain_);
+      return;
     }
-    return result;
+    unchanged.reserve(chain_.size());
+    for (std::uint32_t edge = 0; edge < edges_.size(); ++edge) {
+      if (is_joined[edge]) continue;
+      const auto at = [&](std::uint32_t i) { return chain_.begin() + i; };
+      unchanged.insert(unchanged.end(), at(edges_[edge].begin), at(edges_[edge].end));
+    }
   }
 
  private:
@@ -112,13 +137,7 @@ class StraightJoiner {
     return true;
   }
 
-  void keep(std::uint32_t edge, Chain& result) const {
-    for (std::uint32_t i = edges_[edge].begin; i < edges_[edge].end; ++i) {
-      result.push_back(chain_[i]);
-    }
-  }
-
-  const Chain& chain_;
+  Chain& chain_;
   std::vector<Range> edges_;
   std::vector<Incidence> at_vertex_;
 };
@@ -126,9 +145,11 @@ class StraightJoiner {
 }  // namespace
 
 void join_straight_edges(Chain& chain, std::size_t vertex_count) {
-  Chain joined = StraightJoiner(chain, vertex_count).join();
-  chain.swap(joined);
-  normalize(chain, vertex_count);
+  Chain unchanged;
+  Chain joined;
+  StraightJoiner(chain, vertex_count).join(unchanged, joined);
+  chain.swap(unchanged);
+  add_to_chain(chain, std::move(joined), vertex_count);
 }
 
 }  // namespace spoctree

@@ -41,6 +41,10 @@ Chain subdivide_lines(std::vector<LineEnd>& ends, std::uint32_t carrier_count,
 /// Sorts by edge, then carrier; adds up equal entries and drops those that become zero.
 void normalize(Chain& chain, std::size_t vertex_count);
 
+/// Adds `more`, in any order, to a normalized chain; the result is normalized, `more` is not kept.
+/// O(chain + more): what stays as it was is not sorted again.
+void add_to_chain(Chain& chain, Chain&& more, std::size_t vertex_count);
+
 /// Drops the vertices in which nothing happens: two edges, with the same faces beside them. A plane
 /// pair meets in one line, so the two edges are in line. Normalized before and after.
 void join_straight_edges(Chain& chain, std::size_t vertex_count);

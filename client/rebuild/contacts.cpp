@@ -4,8 +4,10 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <utility>
 
 #include "client/rebuild/plane_frame.hpp"
+#include "common/base/parallel.hpp"
 #include "common/geometry/tolerances.hpp"
 
 namespace spoctree {
@@ -18,6 +20,19 @@ struct Cut {
   double along = 0;
   std::uint32_t vertex = 0;
   auto operator<=>(const Cut&) const = default;
+};
+
+/// Two edges are to get a common vertex, each at a place along its length.
+struct Crossing {
+  std::uint32_t edges[2];
+  double along[2];
+  Vec3 point;
+};
+
+/// What is found in a part of the carriers.
+struct Contacts {
+  std::vector<Cut> cuts;
+  std::vector<Crossing> crossings;
 };
 
 /// An edge of the chain as the search in a plane sees it.
@@ -59,28 +74,29 @@ struct EdgesOfCarriers {
 
 class ContactFinder {
  public:
-  ContactFinder(const Carriers& carriers, VertexWelder& welder, std::vector<Cut>& cuts)
-      : carriers_(carriers),
+  ContactFinder(const Chain& chain, const EdgesOfCarriers& rows, const Carriers& carriers,
+                const VertexWelder& welder, Contacts& contacts)
+      : chain_(chain),
+        rows_(rows),
+        carriers_(carriers),
         welder_(welder),
-        cuts_(cuts),
+        contacts_(contacts),
         short_(kShortEdge / kWeldTolerance * welder.tolerance()),
         meeting_(kMeetingTolerance / kWeldTolerance * welder.tolerance()) {}
 
-  /// Cuts for all contacts in one carrier.
-  void find(const Chain& chain, const EdgesOfCarriers& rows, std::uint32_t carrier) {
-    chain_ = &chain;
-    rows_ = &rows;
+  /// All contacts in one carrier.
+  void find(std::uint32_t carrier) {
     const PlaneFrame frame(carriers_.plane(carrier), false);
     edges_.clear();
-    for (std::uint32_t i = rows.begin[carrier]; i < rows.begin[carrier + 1]; ++i) {
-      add(rows.edges[i], frame);
+    for (std::uint32_t i = rows_.begin[carrier]; i < rows_.begin[carrier + 1]; ++i) {
+      add(rows_.edges[i], frame);
     }
-    sweep();
+    if (!edges_.empty()) sweep();
   }
 
  private:
   void add(std::uint32_t number, const PlaneFrame& frame) {
-    const ChainEdge& edge = (*chain_)[rows_->edge_begin[number]];
+    const ChainEdge& edge = chain_[rows_.edge_begin[number]];
     const Vec2 a = frame.project(welder_.vertices()[edge.a]);
     const Vec2 b = frame.project(welder_.vertices()[edge.b]);
     const double length = glm::length(b - a);
@@ -89,25 +105,58 @@ class ContactFinder {
         {number, edge.a, edge.b, a, direction, length, glm::min(a, b), glm::max(a, b)});
   }
 
+  /// Compares every two edges whose boxes meet: along x, in slabs of y about as high as edges are,
+  /// so that a cell wall with thousands of small faces is no long list.
   void sweep() {
     std::sort(edges_.begin(), edges_.end(), [](const FlatEdge& e, const FlatEdge& f) {
       return e.lower.x != f.lower.x ? e.lower.x < f.lower.x : e.edge < f.edge;
     });
-    open_.clear();
+    make_slabs();
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
       const FlatEdge& edge = edges_[i];
-      std::size_t kept = 0;
-      for (const std::uint32_t j : open_) {
-        const FlatEdge& other = edges_[j];
-        if (other.upper.x + short_ < edge.lower.x) continue;
-        open_[kept++] = j;
-        if (other.lower.y - short_ <= edge.upper.y && edge.lower.y - short_ <= other.upper.y) {
-          compare(other, edge);
+      const std::size_t first = slab_at(edge.lower.y - short_);
+      const std::size_t last = slab_at(edge.upper.y);
+      for (std::size_t slab = first; slab <= last; ++slab) {
+        std::vector<std::uint32_t>& open = slabs_[slab];
+        std::size_t kept = 0;
+        for (const std::uint32_t j : open) {
+          const FlatEdge& other = edges_[j];
+          if (other.upper.x + short_ < edge.lower.x) continue;
+          open[kept++] = j;
+          // In the first slab that both are in.
+          if (slab > first && slab > slab_at(other.lower.y - short_)) continue;
+          if (other.lower.y - short_ <= edge.upper.y && edge.lower.y - short_ <= other.upper.y) {
+            compare(other, edge);
+          }
         }
+        open.resize(kept);
+        open.push_back(i);
       }
-      open_.resize(kept);
-      open_.push_back(i);
     }
+  }
+
+  /// All edges together are in no more slabs than a few times their number.
+  void make_slabs() {
+    double lower = edges_.front().lower.y;
+    double upper = edges_.front().upper.y;
+    double heights = 0;
+    for (const FlatEdge& edge : edges_) {
+      lower = std::min(lower, edge.lower.y);
+      upper = std::max(upper, edge.upper.y);
+      heights += edge.upper.y - edge.lower.y + short_;
+    }
+    const auto count = static_cast<double>(edges_.size());
+    const double slabs = std::clamp(2 * count * (upper - lower) / heights, 1.0, count / 16 + 1);
+    slab_count_ = static_cast<std::size_t>(slabs);
+    if (slabs_.size() < slab_count_) slabs_.resize(slab_count_);
+    for (std::size_t slab = 0; slab < slab_count_; ++slab) slabs_[slab].clear();
+    slab_origin_ = lower;
+    slabs_per_length_ = upper > lower ? slabs / (upper - lower) : 0;
+  }
+
+  std::size_t slab_at(double y) const {
+    const double slab = (y - slab_origin_) * slabs_per_length_;
+    return std::min(slab_count_ - 1, static_cast<std::size_t>(std::max(slab, 0.0)));
   }
 
   void compare(const FlatEdge& e, const FlatEdge& f) {
@@ -121,9 +170,9 @@ class ContactFinder {
     if (!(at_start * at_end < 0 && f_start * f_end < 0)) return;
     const double along = at_start / (at_start - at_end);
     const Vec3 a = welder_.vertices()[e.a];
-    const std::uint32_t vertex = welder_.weld(a + (welder_.vertices()[e.b] - a) * along);
-    put(e, along, vertex);
-    put(f, f_start / (f_start - f_end), vertex);
+    contacts_.crossings.push_back({{e.edge, f.edge},
+                                   {along, f_start / (f_start - f_end)},
+                                   a + (welder_.vertices()[e.b] - a) * along});
   }
 
   /// Cuts `e` at the ends of `f` that lie on it.
@@ -136,7 +185,7 @@ class ContactFinder {
       const double along = glm::dot(ends[i] - e.start, e.direction);
       if (along <= 0 || along >= e.length) continue;
       if (!is_on(std::abs(cross(e.direction, ends[i] - e.start)), e, vertex)) continue;
-      put(e, along / e.length, vertex);
+      contacts_.cuts.push_back({e.edge, along / e.length, vertex});
       any = true;
     }
     return any;
@@ -146,35 +195,67 @@ class ContactFinder {
   bool is_on(double distance, const FlatEdge& e, std::uint32_t vertex) const {
     if (distance <= welder_.tolerance()) return true;
     if (distance > short_) return false;
-    for (std::uint32_t i = rows_->edge_begin[e.edge]; i < rows_->edge_begin[e.edge + 1]; ++i) {
-      const Plane& plane = carriers_.plane((*chain_)[i].carrier);
+    for (std::uint32_t i = rows_.edge_begin[e.edge]; i < rows_.edge_begin[e.edge + 1]; ++i) {
+      const Plane& plane = carriers_.plane(chain_[i].carrier);
       const double off = glm::dot(plane.normal, welder_.vertices()[vertex]) - plane.offset;
       if (std::abs(off) > meeting_) return false;
     }
     return true;
   }
 
-  void put(const FlatEdge& edge, double along, std::uint32_t vertex) {
-    if (vertex != edge.a && vertex != edge.b) cuts_.push_back({edge.edge, along, vertex});
-  }
-
+  const Chain& chain_;
+  const EdgesOfCarriers& rows_;
   const Carriers& carriers_;
-  VertexWelder& welder_;
-  std::vector<Cut>& cuts_;
+  const VertexWelder& welder_;
+  Contacts& contacts_;
   const double short_;    // kShortEdge and
   const double meeting_;  // kMeetingTolerance in universe units
-  const Chain* chain_ = nullptr;
-  const EdgesOfCarriers* rows_ = nullptr;
   std::vector<FlatEdge> edges_;
-  std::vector<std::uint32_t> open_;
+  std::vector<std::vector<std::uint32_t>> slabs_;  // edges that are open there
+  std::size_t slab_count_ = 0;                     // in use
+  double slab_origin_ = 0;
+  double slabs_per_length_ = 0;
 };
 
+/// The cuts for all contacts, in parallel; gives vertices to crossings.
+std::vector<Cut> find_cuts(const Chain& chain, const EdgesOfCarriers& rows,
+                           const Carriers& carriers, VertexWelder& welder) {
+  constexpr std::uint32_t kEdgesPerTask = 8192;
+  std::vector<std::uint32_t> starts{0};
+  for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
+    if (rows.begin[carrier + 1] - rows.begin[starts.back()] >= kEdgesPerTask) {
+      starts.push_back(carrier + 1);
+    }
+  }
+  starts.push_back(carriers.count());
+  std::vector<Contacts> found(starts.size() - 1);
+  parallel_for(found.size(), [&](std::size_t task) {
+    ContactFinder finder(chain, rows, carriers, welder, found[task]);
+    for (std::uint32_t c = starts[task]; c < starts[task + 1]; ++c) finder.find(c);
+  });
+  std::vector<Cut> cuts;
+  for (const Contacts& contacts : found) {
+    cuts.insert(cuts.end(), contacts.cuts.begin(), contacts.cuts.end());
+    for (const Crossing& crossing : contacts.crossings) {
+      const std::uint32_t vertex = welder.weld(crossing.point);
+      for (int i = 0; i < 2; ++i) {
+        const ChainEdge& edge = chain[rows.edge_begin[crossing.edges[i]]];
+        if (vertex == edge.a || vertex == edge.b) continue;
+        cuts.push_back({crossing.edges[i], crossing.along[i], vertex});
+      }
+    }
+  }
+  return cuts;
+}
+
 /// Replaces every cut edge by the path through its cuts; `touched` becomes the carriers concerned.
-Chain apply_cuts(const Chain& chain, std::vector<Cut>& cuts, std::vector<bool>& touched) {
+void apply_cuts(std::vector<Cut>& cuts, std::size_t vertex_count, Chain& chain,
+                std::vector<bool>& touched) {
   std::sort(cuts.begin(), cuts.end());
   touched.assign(touched.size(), false);
-  Chain result;
-  result.reserve(chain.size() + 2 * cuts.size());
+  Chain unchanged;
+  unchanged.reserve(chain.size());
+  Chain paths;
   std::uint32_t number = 0;
   auto cut = cuts.begin();
   std::vector<std::uint32_t> path;
@@ -185,15 +266,20 @@ Chain apply_cuts(const Chain& chain, std::vector<Cut>& cuts, std::vector<bool>& 
         path.push_back(cut->vertex);
     }
     path.push_back(chain[first].b);
+    ++number;
     for (std::size_t i = first; i < last; ++i) {
-      if (path.size() > 2) touched[chain[i].carrier] = true;
+      if (path.size() == 2) {
+        unchanged.push_back(chain[i]);
+        continue;
+      }
+      touched[chain[i].carrier] = true;
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-        result.push_back(directed_edge(path[k], path[k + 1], chain[i].carrier, chain[i].count));
+        paths.push_back(directed_edge(path[k], path[k + 1], chain[i].carrier, chain[i].count));
       }
     }
-    ++number;
   });
-  return result;
+  chain.swap(unchanged);
+  add_to_chain(chain, std::move(paths), vertex_count);
 }
 
 }  // namespace
@@ -202,18 +288,11 @@ bool resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& weld
   // Cuts bend edges by less than the tolerance, which may make new contacts: a few rounds.
   constexpr int kMaxRounds = 16;
   std::vector<bool> active(carriers.count(), true);
-  std::vector<Cut> cuts;
-  ContactFinder finder(carriers, welder, cuts);
   for (int round = 0; round < kMaxRounds; ++round) {
     const EdgesOfCarriers rows(chain, active);
-    cuts.clear();
-    for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
-      if (rows.begin[carrier] < rows.begin[carrier + 1]) finder.find(chain, rows, carrier);
-    }
+    std::vector<Cut> cuts = find_cuts(chain, rows, carriers, welder);
     if (cuts.empty()) return round > 0;
-    Chain cut_chain = apply_cuts(chain, cuts, active);
-    chain.swap(cut_chain);
-    normalize(chain, welder.vertices().size());
+    apply_cuts(cuts, welder.vertices().size(), chain, active);
   }
   return true;
 }

@@ -1,6 +1,7 @@
 #include "client/rebuild/region_sides.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace spoctree {
 
@@ -20,11 +21,9 @@ class PlaneValues {
       if (part_[h] == kNoPart) spread(h, parts++);
     }
     const std::vector<std::uint32_t> extremes = find_extremes(parts);
-    std::vector<std::int32_t> base(parts);
-    for (std::uint32_t part = 0; part < parts; ++part) {
-      // Around the vertex with the smallest x, the widest sector faces -x.
-      base[part] = value_outside(part, extremes[part]) - left_[extremes[part]];
-    }
+    // Around the vertex with the smallest x, the widest sector faces -x.
+    std::vector<std::int32_t> base = find_values_outside(extremes);
+    for (std::uint32_t part = 0; part < parts; ++part) base[part] -= left_[extremes[part]];
     for (std::uint32_t h = 0; h < half_edges(); ++h) left_[h] += base[part_[h]];
   }
 
@@ -102,19 +101,47 @@ class PlaneValues {
     return extremes;
   }
 
-  /// The value around a part: what the other parts enclose, along a ray from -x.
-  std::int32_t value_outside(std::uint32_t part, std::uint32_t extreme) const {
-    const Vec2 p = point(extreme);
-    std::int32_t value = 0;
+  /// The values around all parts: what the other parts enclose, along rays from -x to the extremes.
+  /// A sweep over y: on a cell wall there may be thousands of parts.
+  std::vector<std::int32_t> find_values_outside(std::span<const std::uint32_t> extremes) const {
+    std::vector<std::int32_t> values(extremes.size(), 0);
+    if (extremes.size() == 1) return values;
+    struct Span {
+      double lower, upper;  // y, without `upper`
+      std::uint32_t half_edge;
+    };
+    std::vector<Span> spans;
     for (std::uint32_t h = 0; h < half_edges(); h += 2) {
-      if (part_[h] == part) continue;
-      const Vec2 a = point(h);
-      const Vec2 b = point(h ^ 1u);
-      if ((a.y <= p.y) == (b.y <= p.y)) continue;
-      const bool is_right_of_edge = (cross(b - a, p - a) < 0) == (b.y > a.y);
-      if (is_right_of_edge) value += b.y > a.y ? -count(h) : count(h);
+      const double y = point(h).y;
+      const double z = point(h ^ 1u).y;
+      if (y != z) spans.push_back({std::min(y, z), std::max(y, z), h});
     }
-    return value;
+    std::sort(spans.begin(), spans.end(),
+              [](const Span& s, const Span& t) { return s.lower < t.lower; });
+    std::vector<std::uint32_t> order(extremes.size());
+    std::iota(order.begin(), order.end(), 0u);
+    const auto y_of = [&](std::uint32_t part) { return point(extremes[part]).y; };
+    std::sort(order.begin(), order.end(),
+              [&](std::uint32_t s, std::uint32_t t) { return y_of(s) < y_of(t); });
+    std::vector<Span> open;
+    auto next = spans.begin();
+    for (const std::uint32_t part : order) {
+      const Vec2 p = point(extremes[part]);
+      for (; next != spans.end() && next->lower <= p.y; ++next) open.push_back(*next);
+      std::size_t kept = 0;
+      for (const Span& span : open) {
+        if (span.upper <= p.y) continue;
+        open[kept++] = span;
+        const std::uint32_t h = span.half_edge;
+        if (part_[h] == part) continue;
+        const Vec2 a = point(h);
+        const Vec2 b = point(h ^ 1u);
+        const bool is_right_of_edge = (cross(b - a, p - a) < 0) == (b.y > a.y);
+        if (is_right_of_edge) values[part] += b.y > a.y ? -count(h) : count(h);
+      }
+      open.resize(kept);
+    }
+    return values;
   }
 
   std::span<const CountedEdge> edges_;

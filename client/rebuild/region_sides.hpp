@@ -21,7 +21,7 @@ struct CountedEdge {
 /// the normal (`front`) and of the others (`back`, reversed, so that faces lie to the left seen
 /// from their outside). Both together use every edge as often as it counts. The edges must not
 /// cross. If the values are contradictory (rounding) all becomes `front`.
-/// O(n log n + n * connected parts).
+/// O(n log n + connected parts * edges at the same height).
 void separate_sides(std::span<const CountedEdge> edges, const PlaneFrame& frame,
                     std::span<const Vec3> positions, std::vector<PlaneEdge>& front,
                     std::vector<PlaneEdge>& back);

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "common/base/parallel.hpp"
 #include "common/geometry/predicates.hpp"
@@ -174,15 +175,20 @@ bool merge_clusters(Chain& chain, const Carriers& carriers, VertexWelder& welder
     merger.try_merge(edge.a, edge.b, kMeetingTolerance * diagonal);
   }
   if (merger.is_empty()) return false;
+  Chain unchanged;
+  unchanged.reserve(chain.size());
   Chain mapped;
-  mapped.reserve(chain.size());
   for (const ChainEdge& use : chain) {
     const std::uint32_t a = merger.find(use.a);
     const std::uint32_t b = merger.find(use.b);
-    if (a != b) mapped.push_back(directed_edge(a, b, use.carrier, use.count));
+    if (a == use.a && b == use.b) {
+      unchanged.push_back(use);
+    } else if (a != b) {
+      mapped.push_back(directed_edge(a, b, use.carrier, use.count));
+    }
   }
-  chain.swap(mapped);
-  normalize(chain, positions.size());
+  chain.swap(unchanged);
+  add_to_chain(chain, std::move(mapped), positions.size());
   merger.for_each_kept([&](std::uint32_t vertex, Vec3 point) { welder.move(vertex, point); });
   return true;
 }
