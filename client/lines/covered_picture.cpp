@@ -36,6 +36,9 @@ void clip(std::span<const Vec2> polygon, const Value& value, std::vector<Vec2>& 
   }
 }
 
+/// Pictures are not smaller than this.
+constexpr double kLeastSize = 1e-9;
+
 /// Less than this fraction of a tile is nothing.
 constexpr double kNothing = 1e-12;
 
@@ -46,11 +49,10 @@ constexpr std::uint32_t kManyEntries = 64;
 
 }  // namespace
 
-CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles, double tolerance)
-    : tolerance_(tolerance) {
+CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles) {
   // A little larger and off the bounds, by fractions that keep the borders of tiles away from the
   // walls of cells in views along the axes.
-  const Vec2 size = 1.03141 * glm::max(bounds.upper - bounds.lower, Vec2{tolerance, tolerance});
+  const Vec2 size = 1.03141 * glm::max(bounds.upper - bounds.lower, Vec2{kLeastSize, kLeastSize});
   lower_ = bounds.lower - Vec2{0.01237, 0.01193} * size;
   const auto count = static_cast<double>(std::max<std::size_t>(tiles, 1));
   tile_size_ = std::max(std::sqrt(size.x * size.y / count), std::max(size.x, size.y) / count);
@@ -102,10 +104,8 @@ bool CoveredPicture::is_full(const Rectangle& rectangle) const {
         const std::int64_t column = 64 * word + std::countr_zero(open);
         const Rectangle& box =
             tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)].open;
-        if (box.lower.x < rectangle.upper.x - tolerance_ &&
-            box.lower.y < rectangle.upper.y - tolerance_ &&
-            box.upper.x > rectangle.lower.x + tolerance_ &&
-            box.upper.y > rectangle.lower.y + tolerance_) {
+        if (box.lower.x < rectangle.upper.x && box.lower.y < rectangle.upper.y &&
+            box.upper.x > rectangle.lower.x && box.upper.y > rectangle.lower.y) {
           return false;
         }
       }
@@ -114,7 +114,7 @@ bool CoveredPicture::is_full(const Rectangle& rectangle) const {
   return true;
 }
 
-void CoveredPicture::cover(std::span<const Vec2> polygon) {
+void CoveredPicture::cover(std::span<const Vec2> polygon, double tolerance) {
   if (polygon.size() < 3) return;
   Vec2 lower = polygon[0];
   Vec2 upper = polygon[0];
@@ -122,10 +122,10 @@ void CoveredPicture::cover(std::span<const Vec2> polygon) {
     lower = glm::min(lower, corner);
     upper = glm::max(upper, corner);
   }
-  const std::int64_t left = std::max<std::int64_t>(column_of(lower.x - tolerance_, 0), 0);
-  const std::int64_t right = std::min(column_of(upper.x + tolerance_, 0), tiles_along_[0] - 1);
-  const std::int64_t bottom = std::max<std::int64_t>(column_of(lower.y - tolerance_, 1), 0);
-  const std::int64_t top = std::min(column_of(upper.y + tolerance_, 1), tiles_along_[1] - 1);
+  const std::int64_t left = std::max<std::int64_t>(column_of(lower.x - tolerance, 0), 0);
+  const std::int64_t right = std::min(column_of(upper.x + tolerance, 0), tiles_along_[0] - 1);
+  const std::int64_t bottom = std::max<std::int64_t>(column_of(lower.y - tolerance, 1), 0);
+  const std::int64_t top = std::min(column_of(upper.y + tolerance, 1), tiles_along_[1] - 1);
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   for (std::int64_t row = bottom; row <= top; ++row) {
@@ -138,7 +138,7 @@ void CoveredPicture::cover(std::span<const Vec2> polygon) {
           const Vec2 from = polygon[k];
           const Vec2 along = polygon[k + 1 == polygon.size() ? 0 : k + 1] - from;
           const Vec2 outwards = Vec2{along.y, -along.x} / glm::length(along);
-          half_planes_.push_back({outwards, glm::dot(outwards, from) + tolerance_});
+          half_planes_.push_back({outwards, glm::dot(outwards, from) + tolerance});
         }
       }
       cover_tile(column, row, first, count);

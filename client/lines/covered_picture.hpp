@@ -17,12 +17,13 @@ namespace spoctree {
 
 class CoveredPicture {
  public:
-  /// Nothing is covered yet; there will be about so many tiles. Polygons cover what is nearer to
-  /// them than `tolerance`, too: those that share an edge up to rounding leave no gap between them.
-  CoveredPicture(const Rectangle& bounds, std::size_t tiles, double tolerance);
+  /// Nothing is covered yet; there will be about so many tiles.
+  CoveredPicture(const Rectangle& bounds, std::size_t tiles);
 
-  /// Adds a convex polygon, counter-clockwise; what is out of bounds does not count.
-  void cover(std::span<const Vec2> polygon);
+  /// Adds a strictly convex polygon, counter-clockwise; what is out of bounds does not count. It
+  /// covers what is nearer to it than `tolerance`, too: polygons that share an edge up to rounding
+  /// leave no gap between them.
+  void cover(std::span<const Vec2> polygon, double tolerance);
 
   /// True if what lies in the rectangle is certainly covered, or out of bounds.
   bool is_full(const Rectangle& rectangle) const;
@@ -73,7 +74,6 @@ class CoveredPicture {
   Vec2 lower_;
   double tile_size_;
   std::int64_t tiles_along_[2];
-  double tolerance_;
   std::vector<Tile> tiles_;          // row by row
   std::vector<std::uint64_t> full_;  // one bit per tile, rows padded to whole words
   std::size_t words_per_row_;

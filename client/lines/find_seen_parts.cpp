@@ -52,7 +52,7 @@ class Looker {
         reach_(kCreaseTolerance * scene.diagonal()),
         tolerance_(kPictureTolerance * scene.diagonal()),
         projected_(project_all(scene.creases().creases, is_wanted, camera)),
-        covered_(extent_of(projected_, frame), scene.pieces().leaf_count(), tolerance_) {}
+        covered_(extent_of(projected_, frame), scene.pieces().leaf_count()) {}
 
   std::vector<CreasePart> run() {
     visit({});
@@ -238,11 +238,19 @@ class Looker {
     }
   }
 
+  /// Pieces meet up to rounding, which is larger in the picture where they are near the viewer.
+  double tolerance_of(std::span<const Vec3> corners) const {
+    if (!camera_.is_perspective()) return tolerance_;
+    double depth = camera_.focal_length();
+    for (const Vec3 corner : corners) depth = std::min(depth, camera_.depth(corner));
+    return tolerance_ * camera_.focal_length() / std::max(depth, camera_.least_depth());
+  }
+
   void cover(std::span<const Vec3> corners) {
     project(corners, camera_, points_);
     if (points_.size() < 3) return;
-    find_outline(points_, 0.5 * tolerance_, outline_);
-    covered_.cover(outline_);
+    find_outline(points_, outline_);
+    covered_.cover(outline_, tolerance_of(corners));
   }
 
   void look_at(const CreasePart& part) {

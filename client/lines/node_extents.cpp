@@ -1,6 +1,5 @@
 #include "client/lines/node_extents.hpp"
 
-#include <cmath>
 #include <glm/common.hpp>
 #include <limits>
 
@@ -8,7 +7,7 @@ namespace spoctree {
 
 namespace {
 
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr NodeBox kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
 
 class BoxFinder {
@@ -35,13 +34,9 @@ class BoxFinder {
 
  private:
   void find_leaf(const NodeAddress& node, NodeBox& box) const {
-    bool is_empty = true;
-    Vec3 lower{0.0};
-    Vec3 upper{0.0};
     const auto add = [&](Vec3 point) {
-      lower = is_empty ? point : glm::min(lower, point);
-      upper = is_empty ? point : glm::max(upper, point);
-      is_empty = false;
+      box.lower = glm::min(box.lower, point);
+      box.upper = glm::max(box.upper, point);
     };
     if (const LeafPieces* const leaf = pieces_.find(node)) {
       if (leaf->is_whole_cube) {
@@ -61,11 +56,6 @@ class BoxFinder {
       const Crease& crease = creases_[part.crease];
       add(crease.a + part.interval.begin * (crease.b - crease.a));
       add(crease.a + part.interval.end * (crease.b - crease.a));
-    }
-    if (is_empty) return;
-    for (int axis = 0; axis < 3; ++axis) {
-      box.lower[axis] = std::nextafter(static_cast<float>(lower[axis]), -kInfinity);
-      box.upper[axis] = std::nextafter(static_cast<float>(upper[axis]), kInfinity);
     }
   }
 

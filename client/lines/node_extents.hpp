@@ -9,10 +9,10 @@
 
 namespace spoctree {
 
-/// Universe coordinates, rounded outwards.
+/// Universe coordinates.
 struct NodeBox {
-  glm::vec3 lower{0.0f};
-  glm::vec3 upper{0.0f};
+  Vec3 lower{0.0};
+  Vec3 upper{0.0};
 };
 
 /// Boxes around the pieces and the parts of creases in each node and below it.

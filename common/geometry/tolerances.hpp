@@ -22,9 +22,9 @@ inline constexpr double kMeetingTolerance = 1e-12;
 /// point, they are one vertex (nearly parallel planes spread a vertex wider than kWeldTolerance).
 inline constexpr double kShortEdge = 1e-6;
 
-/// In the picture plane, points nearer to a line than this count as on it (fraction of the
-/// universe cube's diagonal): outlines of neighbouring pieces share edges up to rounding only.
-inline constexpr double kPictureTolerance = 1e-10;
+/// In the picture, a piece of material covers what is nearer to it than this: pieces that meet do so
+/// up to rounding (2^-45) only. Small, for a line that is not hidden may pass as near.
+inline constexpr double kPictureTolerance = 1e-13;
 
 /// A crease touches what it is nearer to than this: rebuilt vertices stand off the exact ones by up
 /// to kWeldTolerance.

@@ -13,8 +13,7 @@ namespace {
 constexpr double kTolerance = 1e-10;
 
 CoveredPicture picture_of_square(std::size_t tiles_per_side) {
-  return CoveredPicture({{-1, -1}, {1, 1}}, tiles_per_side * tiles_per_side,
-                        kTolerance);
+  return CoveredPicture({{-1, -1}, {1, 1}}, tiles_per_side * tiles_per_side);
 }
 
 /// The parts of the line from a to b that are not covered, merged, as parameters.
@@ -34,7 +33,9 @@ std::vector<Interval> uncovered(CoveredPicture& picture, Vec2 a, Vec2 b) {
   return merged;
 }
 
-void cover(CoveredPicture& picture, std::vector<Vec2> polygon) { picture.cover(polygon); }
+void cover(CoveredPicture& picture, std::vector<Vec2> polygon) {
+  picture.cover(polygon, kTolerance);
+}
 
 /// The triangles of a net of n x n wry squares over the square -1 .. 1.
 std::vector<std::vector<Vec2>> net_of_triangles(std::uint32_t n, Random& random, double noise) {
@@ -121,12 +122,12 @@ TEST(CoveredPicture, HasNoGapsInANetOfTriangles) {
         }
         const std::vector<Vec2> last = triangles.back();
         triangles.pop_back();
-        for (const auto& triangle : triangles) picture.cover(triangle);
+        for (const auto& triangle : triangles) picture.cover(triangle, kTolerance);
         // One triangle is missing, and it shows.
         const Vec2 middle = (last[0] + last[1] + last[2]) / 3.0;
         EXPECT_FALSE(picture.is_full({middle, middle}));
         EXPECT_EQ(uncovered(picture, middle, 0.5 * (middle + last[0])).size(), 1u);
-        picture.cover(last);
+        picture.cover(last, kTolerance);
         EXPECT_TRUE(uncovered(picture, {-0.99, -0.98}, {0.97, 0.99}).empty());
       }
     }
@@ -145,7 +146,7 @@ TEST(CoveredPicture, KnowsThatItIsFullBehindOneLargePolygonOrManySmallOnes) {
   CoveredPicture seams = picture_of_square(3);
   const auto triangles = net_of_triangles(2, random, 0);
   for (int layer = 0; layer < 64; ++layer) {
-    for (const auto& triangle : triangles) seams.cover(triangle);
+    for (const auto& triangle : triangles) seams.cover(triangle, kTolerance);
   }
   EXPECT_TRUE(seams.is_full({{-0.3, -0.3}, {0.3, 0.3}}));
 }

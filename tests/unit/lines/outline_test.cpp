@@ -24,7 +24,7 @@ std::vector<Vec2> outline_of_cube(Vec3 toward_viewer) {
     points.push_back(camera.project({corner & 1, corner >> 1 & 1, corner >> 2}));
   }
   std::vector<Vec2> outline;
-  find_outline(points, 1e-10, outline);
+  find_outline(points, outline);
   return outline;
 }
 
@@ -43,7 +43,7 @@ TEST(Outline, OfACubeIsAHexagonARectangleOrASquare) {
 TEST(Outline, OfPointsOnALineIsNothing) {
   std::vector<Vec2> points{{0, 0}, {1, 1}, {0.5, 0.5}, {2, 2}};
   std::vector<Vec2> outline;
-  find_outline(points, 1e-10, outline);
+  find_outline(points, outline);
   EXPECT_TRUE(outline.empty());
 }
 
@@ -56,7 +56,7 @@ TEST(Outline, HasAllPointsToItsLeft) {
     }
     std::vector<Vec2> sorted = points;
     std::vector<Vec2> outline;
-    find_outline(sorted, 1e-10, outline);
+    find_outline(sorted, outline);
     ASSERT_GE(outline.size(), 3u);
     for (std::size_t k = 0; k < outline.size(); ++k) {
       const Vec2 along = outline[(k + 1) % outline.size()] - outline[k];
@@ -66,31 +66,6 @@ TEST(Outline, HasAllPointsToItsLeft) {
       }
     }
   }
-}
-
-TEST(Straighten, LeavesOutDoubleCornersAndThoseBesideShortEdgesOnly) {
-  std::vector<Vec2> polygon = {{0, 0}, {0.5, 0}, {1, 0}, {1, 1e-11}, {1, 1}, {1 - 1e-8, 1 + 1e-16},
-                               {0, 1}};
-  straighten(polygon, 1e-10);
-  // The corner halfway along the lower edge is between long edges: rounding does not turn them.
-  const std::vector<Vec2> expected = {{0, 0}, {0.5, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_EQ(polygon, expected);
-}
-
-TEST(Straighten, LeavesNothingOfWhatHasNoArea) {
-  std::vector<Vec2> polygon = {{0, 0}, {1e-11, 0}, {0, 1e-11}};
-  straighten(polygon, 1e-10);
-  EXPECT_TRUE(polygon.empty());
-  polygon = {};
-  straighten(polygon, 1e-10);
-  EXPECT_TRUE(polygon.empty());
-}
-
-TEST(Straighten, GoesRoundTheStart) {
-  std::vector<Vec2> polygon = {{1e-8, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-  straighten(polygon, 1e-10);
-  EXPECT_EQ(polygon.size(), 4u);
-  EXPECT_NEAR(area(polygon), 1, 1e-7);
 }
 
 }  // namespace

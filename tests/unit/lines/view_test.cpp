@@ -37,16 +37,15 @@ TEST(ExtentOfBox, IsThatOfItsCorners) {
     const Vec3 direction{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
     const Camera camera =
         round % 2 == 0 ? Camera(direction) : Camera::perspective(3.0 * direction, {0, 0, 0});
-    const glm::vec3 lower{random.between(-1, 0), random.between(-1, 0), random.between(-1, 0)};
-    const auto extent = extent_of_box({lower, lower + 0.3f}, camera);
+    const Vec3 lower{random.between(-1, 0), random.between(-1, 0), random.between(-1, 0)};
+    const auto extent = extent_of_box({lower, lower + 0.3}, camera);
     if (!extent) continue;
     for (unsigned corner = 0; corner < 8; ++corner) {
-      const Vec2 at =
-          camera.project(Vec3(lower) + 0.3 * Vec3{corner & 1, corner >> 1 & 1, corner >> 2});
-      EXPECT_GE(at.x, extent->lower.x - 1e-6);
-      EXPECT_GE(at.y, extent->lower.y - 1e-6);
-      EXPECT_LE(at.x, extent->upper.x + 1e-6);
-      EXPECT_LE(at.y, extent->upper.y + 1e-6);
+      const Vec2 at = camera.project(lower + 0.3 * Vec3{corner & 1, corner >> 1 & 1, corner >> 2});
+      EXPECT_GE(at.x, extent->lower.x - 1e-14);
+      EXPECT_GE(at.y, extent->lower.y - 1e-14);
+      EXPECT_LE(at.x, extent->upper.x + 1e-14);
+      EXPECT_LE(at.y, extent->upper.y + 1e-14);
     }
   }
 }
@@ -61,7 +60,7 @@ TEST(ProjectedPiece, IsCutWhereTheViewersBackBegins) {
   std::vector<Vec2> points;
   project(bar, camera, points);
   std::vector<Vec2> outline;
-  find_outline(points, 1e-10, outline);
+  find_outline(points, outline);
   ASSERT_EQ(outline.size(), 4u);
   EXPECT_NEAR(outline[0].x, -0.1 / camera.least_depth(), 1e-3);
   for (Vec3& corner : bar) corner.y -= 2;
