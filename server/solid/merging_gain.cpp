@@ -1,7 +1,6 @@
 #include "server/solid/merging_gain.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "server/solid/face_groups.hpp"
@@ -28,14 +27,6 @@ class JoinedByKey {
   FaceGroups& parts_;
   std::vector<std::uint32_t> first_;
 };
-
-/// How many different pairs there are with each first.
-void count_different(std::vector<std::array<std::uint32_t, 2>>& pairs,
-                     std::vector<std::size_t>& counts) {
-  std::sort(pairs.begin(), pairs.end());
-  const auto end = std::unique(pairs.begin(), pairs.end());
-  for (auto pair = pairs.begin(); pair != end; ++pair) ++counts[(*pair)[0]];
-}
 
 }  // namespace
 
@@ -82,33 +73,37 @@ std::vector<std::uint32_t> MergingGain::find_wasted(const FlatGroups& now,
     }
   }
 
-  using Pairs = std::vector<std::array<std::uint32_t, 2>>;
-  Pairs planes_concerned;
-  Pairs planes_lost;
-  Pairs planes_made;
+  // A plane or group is of one part only, but for those that were left out.
+  std::vector<std::uint32_t> lost(count, 0);
+  std::vector<std::uint32_t> made(count, 0);
+  std::vector<std::uint32_t> kept_of(count, 0);  // how many planes that are there after, too
+  std::vector<bool> is_counted(distinct_planes_, false);
+  std::vector<bool> is_group_counted(now.groups.size(), false);
+  std::vector<std::uint64_t> kept;  // parts with planes
   for (const std::uint32_t t : changed) {
     const std::uint32_t part = parts.group_of(t);
     const std::uint32_t plane = plane_numbers_[t];
+    if (by_plane.is_left_out(plane)) {
+      kept.push_back(std::uint64_t{part} << 32 | plane);
+    } else if (!is_counted[plane]) {
+      is_counted[plane] = true;
+      ++lost[part];
+    }
     const std::uint32_t group = now.of_triangle[t];
-    planes_concerned.push_back({part, plane});
-    if (!by_plane.is_left_out(plane)) planes_lost.push_back({part, plane});
-    // Those of single triangles are numbered after the groups.
     if (group == kNone) {
-      planes_made.push_back({part, static_cast<std::uint32_t>(now.groups.size()) + t});
-    } else if (!by_group.is_left_out(group)) {
-      planes_made.push_back({part, group});
+      ++made[part];
+    } else if (!by_group.is_left_out(group) && !is_group_counted[group]) {
+      is_group_counted[group] = true;
+      ++made[part];
     }
   }
-  std::vector<std::size_t> concerned(count, 0);
-  std::vector<std::size_t> lost(count, 0);
-  std::vector<std::size_t> made(count, 0);
-  count_different(planes_concerned, concerned);
-  count_different(planes_lost, lost);
-  count_different(planes_made, made);
+  std::sort(kept.begin(), kept.end());
+  kept.erase(std::unique(kept.begin(), kept.end()), kept.end());
+  for (const std::uint64_t pair : kept) ++kept_of[pair >> 32];
 
   std::erase_if(changed, [&](std::uint32_t t) {
     const std::uint32_t part = parts.group_of(t);
-    return kLeastGain * lost[part] >= kLeastGain * made[part] + concerned[part];
+    return kLeastGain * lost[part] >= kLeastGain * made[part] + lost[part] + kept_of[part];
   });
   return changed;
 }

@@ -24,7 +24,7 @@ class MergingGain {
 
   const FlatGroups& before() const { return before_; }
 
-  static constexpr std::size_t kLeastGain = 64;
+  static constexpr std::uint64_t kLeastGain = 64;
 
  private:
   bool is_plane_changed(const FlatGroups& now, std::uint32_t triangle) const;

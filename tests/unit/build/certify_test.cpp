@@ -218,6 +218,37 @@ TEST(Certify, HoldsWhereLeavesHoldManyPlanes) {
   judge_statements(uneven_solid(6, random), {8, kMaxDepth});
 }
 
+// A sphere and one beside it: leaves with more planes than are divided.
+TEST(Certify, HoldsForLargeConvexParts) {
+  model::PolygonMesh mesh = model::make_model("sphere", 40);
+  const auto count = static_cast<std::uint32_t>(mesh.points.size());
+  for (std::uint32_t i = 0; i < count; ++i) {
+    mesh.points.push_back(0.8 * mesh.points[i] + glm::dvec3{105, 20, 9});
+  }
+  const std::size_t faces = mesh.faces.size();
+  for (std::size_t f = 0; f < faces; ++f) {
+    auto face = mesh.faces[f];
+    for (auto& corner : face) corner += count;
+    mesh.faces.push_back(face);
+  }
+  const PlainMesh plain = parse_off_text(model::to_off(mesh));
+  const Solid solid = import_solid(to_soup(plain), "two spheres", {});
+  const SolidQueries queries(solid);
+  BuiltOctree built = build_octree(solid, queries, {});
+  certify(built, solid, queries);
+  Pieces pieces;
+  WalkOptions walk;
+  walk.level = 0;
+  walk_pieces(built.tree, walk, pieces);
+  Random random(1);
+  const double sampled = sampled_distance(pieces.grey_pieces, MeshJudge(mesh_of(solid)), random);
+  const double bound = built.tree.levels[0].statement.error_bound / solid.universe.scale();
+  EXPECT_GE(bound, sampled);
+  // Samples of one piece with thousands of corners are not dense.
+  EXPECT_LE(bound, 1.5 * sampled);
+  EXPECT_EQ(built.tree.levels.back().statement.error_bound, 0);
+}
+
 // A box of 2 x 2 x 1.5 with a square hole through it: T_0 fills the hole; the point farthest from
 // the material is on the hole's axis, half a hole's width from its walls.
 TEST(Certify, KnowsTheErrorOfAHoleByThinking) {
