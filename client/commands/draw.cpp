@@ -27,22 +27,33 @@ Rectangle with_border(const Rectangle& frame) {
   return {frame.lower - border, frame.upper + border};
 }
 
-LevelPictures draw_level(const LevelStream& stream, SurfaceRebuilder& rebuilder,
-                         const std::vector<View>& views, const DrawArguments& arguments) {
+/// What is kept from level to level.
+struct Drawn {
+  SurfaceRebuilder rebuilder;
+  std::optional<LineScene> scene;
+};
+
+LevelPictures draw_level(const LevelStream& stream, Drawn& drawn, const std::vector<View>& views,
+                         const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
   LevelPictures level;
   level.model = clean_text(stream.model_name(), kLongestTitle);
   level.level = stream.level();
   level.universe = tree.universe;
   level.pictures.resize(views.size());
-  const LineScene scene(tree, rebuilder.rebuild(tree, level.level), level.level);
+  const Surface surface = drawn.rebuilder.rebuild(tree, level.level);
+  if (drawn.scene) {
+    drawn.scene->go_on_to(surface, level.level);
+  } else {
+    drawn.scene.emplace(tree, surface, level.level);
+  }
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
     options.crease_angle_deg = arguments.crease_angle_deg;
     options.with_hidden_lines = arguments.with_hidden_lines;
     options.split_by_source = arguments.colour_by_kind;
     options.frame = with_border(views[k].frame);
-    VisibleLines lines = visible_lines(scene, views[k].camera, options);
+    VisibleLines lines = visible_lines(*drawn.scene, views[k].camera, options);
     std::erase_if(lines, [&](const VisibleLine& line) { return !is_wanted(line, arguments); });
     level.pictures[k] = make_picture(views[k], lines);
   });
@@ -51,11 +62,11 @@ LevelPictures draw_level(const LevelStream& stream, SurfaceRebuilder& rebuilder,
 
 void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPage& page) {
   LevelStream stream(arguments.stream);
-  SurfaceRebuilder rebuilder;
+  Drawn drawn;
   std::vector<View> views;
   const auto draw = [&] {
     stream.progress_line().show("drawing level " + std::to_string(stream.level()));
-    return draw_level(stream, rebuilder, views, arguments);
+    return draw_level(stream, drawn, views, arguments);
   };
   LevelPictures last;
   // While a level is drawn, the next one waits in the socket.

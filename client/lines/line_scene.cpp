@@ -32,4 +32,11 @@ LineScene::LineScene(const Octree& tree, const Surface& surface, std::uint32_t l
       parts_(tree, level, creases_.creases, kCreaseTolerance * diagonal_),
       extents_(tree, pieces_, creases_.creases, parts_) {}
 
+void LineScene::go_on_to(const Surface& surface, std::uint32_t level) {
+  creases_ = creases_of(surface);
+  pieces_.go_on_to(tree_, level);
+  parts_ = CreaseParts(tree_, level, creases_.creases, kCreaseTolerance * diagonal_);
+  extents_ = NodeExtents(tree_, pieces_, creases_.creases, parts_);
+}
+
 }  // namespace spoctree

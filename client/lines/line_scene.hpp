@@ -18,6 +18,10 @@ class LineScene {
   LineScene(const Octree& tree, const Surface& surface,
             std::uint32_t level = static_cast<std::uint32_t>(-1));
 
+  /// The same of another level, of which the tree has got more nodes by now. If it is the next one,
+  /// the pieces of leaves are kept, whose finding takes most of the time.
+  void go_on_to(const Surface& surface, std::uint32_t level);
+
   const Octree& tree() const { return tree_; }
   std::uint32_t level() const { return pieces_.level(); }
   /// The diagonal of the universe cube, in universe units.

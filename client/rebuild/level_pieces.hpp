@@ -19,50 +19,79 @@ struct LeafPieces {
   std::uint32_t token_count = 0;
   /// BLACK, and no ancestor's plane cuts it: the piece is the cube, and has no corners of its own.
   bool is_whole_cube = false;
+  bool is_frontier = false;  ///< GREY: only at the level looked at
 };
 
 class LevelPieces {
  public:
-  /// The pieces of T_level; levels beyond the tree mean its last level. In parallel; same tree,
-  /// same pieces. Time O(nodes), each a few clips of a small polyhedron; memory O(nodes). REQUIRES:
-  /// a valid tree (validate.hpp) with at least one level.
-  LevelPieces(const Octree& tree, std::uint32_t level);
+  /// Those of T_level; levels beyond the tree mean its last level. REQUIRES: as go_on_to.
+  LevelPieces(const Octree& tree, std::uint32_t level) { go_on_to(tree, level); }
+
+  /// The pieces of T_level from now on. If that is the next level, those of leaves found before are
+  /// kept. In parallel; same tree and level, same pieces in their leaves. Time O(nodes that are
+  /// new), each a few clips of a small polyhedron, and O(nodes of the last level before); memory
+  /// O(nodes). REQUIRES: a valid tree (validate.hpp) with at least one level, which begins with the
+  /// levels that were there before.
+  void go_on_to(const Octree& tree, std::uint32_t level);
 
   std::uint32_t level() const { return level_; }
   /// The number of nodes with pieces.
-  std::size_t leaf_count() const { return leaves_.size(); }
+  std::size_t leaf_count() const { return settled_.leaves.size() + frontier_.leaves.size(); }
   /// Nothing for WHITE nodes, for inner nodes, and for leaves without material within the
   /// ancestors' half-spaces.
   const LeafPieces* find(const NodeAddress& node) const {
     const std::uint32_t number = numbers_[node.level][node.index];
-    return number == kNone ? nullptr : &leaves_[number];
+    if (number == kNone) return nullptr;
+    return (number & kInFrontier) != 0 ? &frontier_.leaves[number & ~kInFrontier]
+                                       : &settled_.leaves[number];
   }
   /// The corners of a leaf's piece, in universe coordinates.
   std::span<const Vec3> corners(const LeafPieces& leaf, std::uint32_t piece) const {
-    const std::uint32_t* const begin = &corner_begin_[leaf.first_piece + piece];
-    return {corners_.data() + begin[0], begin[1] - begin[0]};
+    const Store& store = store_of(leaf);
+    const std::uint32_t* const begin = &store.corner_begin[leaf.first_piece + piece];
+    return {store.corners.data() + begin[0], begin[1] - begin[0]};
   }
   /// CONCAVE and VERTEX leaves: their expression over their own planes, in preorder, without the
   /// splits that leave no interior on one side; the pieces are those of its in-cells, in this
   /// order. Nothing for other nodes.
   std::span<const std::uint32_t> expression(const LeafPieces& leaf) const {
-    return {tokens_.data() + leaf.first_token, leaf.token_count};
+    return {store_of(leaf).tokens.data() + leaf.first_token, leaf.token_count};
   }
   /// The planes of the table that bound the region of a node with an expression, or else the piece.
   std::span<const std::uint32_t> bounds(const LeafPieces& leaf) const {
-    return {bounds_.data() + leaf.first_bound, leaf.bound_count};
+    return {store_of(leaf).bounds.data() + leaf.first_bound, leaf.bound_count};
   }
+  /// How many leaves and GREY nodes were visited so far, to find their pieces.
+  std::uint64_t nodes_visited() const { return nodes_visited_; }
 
  private:
-  static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  LevelPieces() = default;
 
-  std::uint32_t level_;
+  static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  static constexpr std::uint32_t kInFrontier = std::uint32_t{1} << 31;
+
+  struct Store {
+    std::vector<LeafPieces> leaves;
+    std::vector<NodeAddress> nodes;  // these are the pieces of
+    std::vector<std::uint32_t> corner_begin{0};
+    std::vector<Vec3> corners;
+    std::vector<std::uint32_t> bounds;
+    std::vector<std::uint32_t> tokens;
+  };
+  class Collector;
+
+  const Store& store_of(const LeafPieces& leaf) const {
+    return leaf.is_frontier ? frontier_ : settled_;
+  }
+  static std::vector<std::vector<Subtree>> divide(const Octree& tree, std::uint32_t level);
+  std::vector<std::vector<Subtree>> divide_frontier(const Octree& tree) const;
+  void append(const Store& part, Store& store, std::uint32_t flag);
+
+  std::uint32_t level_ = 0;
   std::vector<std::vector<std::uint32_t>> numbers_;  // by level and index
-  std::vector<LeafPieces> leaves_;
-  std::vector<std::uint32_t> corner_begin_;
-  std::vector<Vec3> corners_;
-  std::vector<std::uint32_t> bounds_;
-  std::vector<std::uint32_t> tokens_;
+  Store settled_;                                    // leaves of all levels
+  Store frontier_;                                   // GREY nodes of the level looked at
+  std::uint64_t nodes_visited_ = 0;
 };
 
 }  // namespace spoctree
