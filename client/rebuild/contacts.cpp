@@ -45,6 +45,7 @@ struct FlatEdge {
   double length = 0;
   Vec2 lower{0.0};
   Vec2 upper{0.0};
+  bool is_new = true;
 };
 
 /// The edges of every carrier that is `active`, as rows of a table.
@@ -74,12 +75,14 @@ struct EdgesOfCarriers {
 
 class ContactFinder {
  public:
+  /// Looks for those of edges with an end in `new_ends` (empty: all).
   ContactFinder(const Chain& chain, const EdgesOfCarriers& rows, const Carriers& carriers,
-                const VertexWelder& welder, Contacts& contacts)
+                const VertexWelder& welder, const std::vector<bool>& new_ends, Contacts& contacts)
       : chain_(chain),
         rows_(rows),
         carriers_(carriers),
         welder_(welder),
+        new_ends_(new_ends),
         contacts_(contacts),
         short_(kShortEdge / kWeldTolerance * welder.tolerance()),
         meeting_(kMeetingTolerance / kWeldTolerance * welder.tolerance()) {}
@@ -101,8 +104,8 @@ class ContactFinder {
     const Vec2 b = frame.project(welder_.vertices()[edge.b]);
     const double length = glm::length(b - a);
     const Vec2 direction = length > 0 ? (b - a) / length : Vec2{1, 0};
-    edges_.push_back(
-        {number, edge.a, edge.b, a, direction, length, glm::min(a, b), glm::max(a, b)});
+    edges_.push_back({number, edge.a, edge.b, a, direction, length, glm::min(a, b), glm::max(a, b),
+                      new_ends_.empty() || new_ends_[edge.a] || new_ends_[edge.b]});
   }
 
   /// Compares every two edges whose boxes meet: along x, in slabs of y about as high as edges are,
@@ -123,6 +126,7 @@ class ContactFinder {
           const FlatEdge& other = edges_[j];
           if (other.upper.x + short_ < edge.lower.x) continue;
           open[kept++] = j;
+          if (!edge.is_new && !other.is_new) continue;
           // In the first slab that both are in.
           if (slab > first && slab > slab_at(other.lower.y - short_)) continue;
           if (other.lower.y - short_ <= edge.upper.y && edge.lower.y - short_ <= other.upper.y) {
@@ -181,20 +185,21 @@ class ContactFinder {
     const Vec2 ends[2] = {f.start, f.start + f.direction * f.length};
     for (int i = 0; i < 2; ++i) {
       const std::uint32_t vertex = i == 0 ? f.a : f.b;
-      if (vertex == e.a || vertex == e.b) continue;
+      // The question that most ends answer in the same way comes first.
+      const double distance = std::abs(cross(e.direction, ends[i] - e.start));
+      if (distance > short_ || vertex == e.a || vertex == e.b) continue;
       const double along = glm::dot(ends[i] - e.start, e.direction);
-      if (along <= 0 || along >= e.length) continue;
-      if (!is_on(std::abs(cross(e.direction, ends[i] - e.start)), e, vertex)) continue;
+      if (along <= 0 || along >= e.length || !is_on(distance, e, vertex)) continue;
       contacts_.cuts.push_back({e.edge, along / e.length, vertex});
       any = true;
     }
     return any;
   }
 
-  /// Near the edge, or not far and on all its planes: nearly parallel ones meet somewhere about.
+  /// Near the edge, or at a distance of at most `short_` and on all its planes: nearly parallel
+  /// ones meet somewhere about.
   bool is_on(double distance, const FlatEdge& e, std::uint32_t vertex) const {
     if (distance <= welder_.tolerance()) return true;
-    if (distance > short_) return false;
     for (std::uint32_t i = rows_.edge_begin[e.edge]; i < rows_.edge_begin[e.edge + 1]; ++i) {
       const Plane& plane = carriers_.plane(chain_[i].carrier);
       const double off = glm::dot(plane.normal, welder_.vertices()[vertex]) - plane.offset;
@@ -207,6 +212,7 @@ class ContactFinder {
   const EdgesOfCarriers& rows_;
   const Carriers& carriers_;
   const VertexWelder& welder_;
+  const std::vector<bool>& new_ends_;
   Contacts& contacts_;
   const double short_;    // kShortEdge and
   const double meeting_;  // kMeetingTolerance in universe units
@@ -219,7 +225,8 @@ class ContactFinder {
 
 /// The cuts for all contacts, in parallel; gives vertices to crossings.
 std::vector<Cut> find_cuts(const Chain& chain, const EdgesOfCarriers& rows,
-                           const Carriers& carriers, VertexWelder& welder) {
+                           const Carriers& carriers, const std::vector<bool>& new_ends,
+                           VertexWelder& welder) {
   constexpr std::uint32_t kEdgesPerTask = 8192;
   std::vector<std::uint32_t> starts{0};
   for (std::uint32_t carrier = 0; carrier < carriers.count(); ++carrier) {
@@ -230,7 +237,7 @@ std::vector<Cut> find_cuts(const Chain& chain, const EdgesOfCarriers& rows,
   starts.push_back(carriers.count());
   std::vector<Contacts> found(starts.size() - 1);
   parallel_for(found.size(), [&](std::size_t task) {
-    ContactFinder finder(chain, rows, carriers, welder, found[task]);
+    ContactFinder finder(chain, rows, carriers, welder, new_ends, found[task]);
     for (std::uint32_t c = starts[task]; c < starts[task + 1]; ++c) finder.find(c);
   });
   std::vector<Cut> cuts;
@@ -288,10 +295,14 @@ bool resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& weld
   // Cuts bend edges by less than the tolerance, which may make new contacts: a few rounds.
   constexpr int kMaxRounds = 16;
   std::vector<bool> active(carriers.count(), true);
+  std::vector<bool> new_ends;
   for (int round = 0; round < kMaxRounds; ++round) {
     const EdgesOfCarriers rows(chain, active);
-    std::vector<Cut> cuts = find_cuts(chain, rows, carriers, welder);
+    std::vector<Cut> cuts = find_cuts(chain, rows, carriers, new_ends, welder);
     if (cuts.empty()) return round > 0;
+    // Only what is new can be in contact: parts of edges, which have an end in a cut.
+    new_ends.assign(welder.vertices().size(), false);
+    for (const Cut& cut : cuts) new_ends[cut.vertex] = true;
     apply_cuts(cuts, welder.vertices().size(), chain, active);
   }
   return true;
