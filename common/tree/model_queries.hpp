@@ -14,8 +14,8 @@ PointClass classify_in_model(const QueryIndex& index, Vec3 point);
 
 /// The first crossing of the ray origin + t direction, t > 0, with the boundary: times in units of
 /// the direction as it is given, whatever its length; infinite if beyond what doubles can hold. The
-/// origin is rounded as points are. REQUIRES: finite numbers, a direction other than 0. Complexity
-/// and error: QueryIndex::first_hit.
+/// origin is rounded as points are; one that is far off is first moved along the ray.
+/// REQUIRES: finite numbers, a direction other than 0. Complexity and error: QueryIndex::first_hit.
 RayAnswer first_hit_in_model(const QueryIndex& index, Vec3 origin, Vec3 direction);
 
 }  // namespace spoctree

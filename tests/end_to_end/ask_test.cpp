@@ -72,6 +72,16 @@ TEST_F(Ask, RaySaysWhereTheBoundaryIsCrossedFirst) {
             "hit 10 0 0 -1\nhit 0.5 0 0 -1\nhit 10 0 0 -1\nhit 40 -1 0 0\nmiss\nmiss\n");
 }
 
+TEST_F(Ask, RaysMayStartAsFarOffAsDoublesReach) {
+  const Outcome outcome = ask("ray",
+                              "-1e20 40 10 1 0 0\n"
+                              "-1e300 40 10 2e280 0 0\n"
+                              "-50 40 -1e200 0 0 4\n"
+                              "-1e20 40 1e4 1 0 0\n");
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "hit 1e+20 -1 0 0\nhit 5e+19 -1 0 0\nhit 2.5e+199 0 0 -1\nmiss\n");
+}
+
 TEST_F(Ask, RayBoundsWhatItCannotKnow) {
   const Outcome outcome = ask("ray", "-50 40 -10 0 0 1\n-50 40 -10 0 0 -1\n", {"--level", "0"});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
