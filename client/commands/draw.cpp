@@ -33,7 +33,7 @@ struct Drawn {
   std::optional<LineScene> scene;
 };
 
-LevelPictures draw_level(const LevelStream& stream, Drawn& drawn, const std::vector<View>& views,
+LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<View>& views,
                          const DrawArguments& arguments) {
   const Octree& tree = stream.tree();
   LevelPictures level;
@@ -41,12 +41,19 @@ LevelPictures draw_level(const LevelStream& stream, Drawn& drawn, const std::vec
   level.level = stream.level();
   level.universe = tree.universe;
   level.pictures.resize(views.size());
+  const auto start = [&](const char* step) {
+    if (Interruption::is_requested()) throw NetworkError(level.model + ": interrupted");
+    stream.progress_line().show(step + (" level " + std::to_string(level.level)));
+  };
+  start("rebuilding");
   const Surface surface = drawn.rebuilder.rebuild(tree, level.level);
+  start("preparing");
   if (drawn.scene) {
     drawn.scene->go_on_to(surface, level.level);
   } else {
     drawn.scene.emplace(tree, surface, level.level);
   }
+  start("drawing");
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
     options.crease_angle_deg = arguments.crease_angle_deg;
@@ -64,10 +71,7 @@ void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPag
   LevelStream stream(arguments.stream);
   Drawn drawn;
   std::vector<View> views;
-  const auto draw = [&] {
-    stream.progress_line().show("drawing level " + std::to_string(stream.level()));
-    return draw_level(stream, drawn, views, arguments);
-  };
+  const auto draw = [&] { return draw_level(stream, drawn, views, arguments); };
   LevelPictures last;
   // While a level is drawn, the next one waits in the socket.
   while (stream.next_level()) {
