@@ -1,6 +1,7 @@
 #include "client/rebuild/sorted_corners.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 #include <tuple>
 
@@ -32,22 +33,29 @@ std::size_t add_up(std::span<CornerCount> corners) {
 }  // namespace
 
 void sort_corners(std::vector<CornerCount>& corners, std::uint32_t common) {
-  // By the first plane; those that are rare are one more.
-  std::vector<std::size_t> begin(std::size_t{common} + 2);
-  for (const CornerCount& corner : corners) ++begin[std::min(corner.planes[0], common) + 1];
-  for (std::size_t plane = 0; plane <= common; ++plane) begin[plane + 1] += begin[plane];
-  std::vector<CornerCount> sorted(corners.size());
+  // Common ones by their first plane; then come the others.
+  std::vector<std::size_t> begin(std::size_t{common} + 1);
+  for (const CornerCount& corner : corners) {
+    if (corner.planes[0] < common) ++begin[corner.planes[0] + 1];
+  }
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<CornerCount> sorted(begin.back());
+  std::vector<CornerCount> others;
   std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
   for (const CornerCount& corner : corners) {
-    sorted[next[std::min(corner.planes[0], common)]++] = corner;
+    if (corner.planes[0] < common) {
+      sorted[next[corner.planes[0]]++] = corner;
+    } else {
+      others.push_back(corner);
+    }
   }
   // Parts of about the same length, on their own.
   constexpr std::size_t kCornersPerPart = 4096;
   std::vector<std::size_t> parts{0};
-  for (std::size_t plane = 0; plane <= common; ++plane) {
+  for (std::size_t plane = 0; plane < common; ++plane) {
     if (begin[plane + 1] - begin[parts.back()] >= kCornersPerPart) parts.push_back(plane + 1);
   }
-  if (parts.back() <= common) parts.push_back(std::size_t{common} + 1);
+  parts.push_back(common);
   std::vector<std::size_t> kept(parts.size() - 1);
   parallel_for(kept.size(), [&](std::size_t part) {
     const auto at = [&](std::size_t plane) {
@@ -58,11 +66,14 @@ void sort_corners(std::vector<CornerCount>& corners, std::uint32_t common) {
     }
     kept[part] = add_up({at(parts[part]), at(parts[part + 1])});
   });
+  parallel_sort(others, precedes);
+  others.resize(add_up(others));
   corners.clear();
   for (std::size_t part = 0; part < kept.size(); ++part) {
     const auto first = sorted.begin() + static_cast<std::ptrdiff_t>(begin[parts[part]]);
     corners.insert(corners.end(), first, first + static_cast<std::ptrdiff_t>(kept[part]));
   }
+  corners.insert(corners.end(), others.begin(), others.end());
 }
 
 std::vector<CornerCount> add_sorted_corners(const std::vector<CornerCount>& a,

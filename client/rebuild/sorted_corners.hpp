@@ -10,8 +10,8 @@
 namespace spoctree {
 
 /// Sorts corners, adds up those of the same planes and drops what becomes zero. Planes with numbers
-/// below `common` are those that most corners have. In parallel. O(corners + common) if these have
-/// a few corners each.
+/// below `common` are those that most corners have (they are not cell walls): corners with one take
+/// O(corners + common) if each plane has a few of them, others O(n log n). In parallel.
 void sort_corners(std::vector<CornerCount>& corners, std::uint32_t common);
 
 /// The sums of two sorted lists, sorted. O(a + b).
