@@ -126,6 +126,8 @@ void CoveredPicture::cover(std::span<const Vec2> polygon, double tolerance) {
   const std::int64_t right = std::min(column_of(upper.x + tolerance, 0), tiles_along_[0] - 1);
   const std::int64_t bottom = std::max<std::int64_t>(column_of(lower.y - tolerance, 1), 0);
   const std::int64_t top = std::min(column_of(upper.y + tolerance, 1), tiles_along_[1] - 1);
+  const Vec2 beyond{tolerance, tolerance};
+  const Rectangle extent{lower - beyond, upper + beyond};
   std::uint32_t first = 0;
   std::uint32_t count = 0;
   for (std::int64_t row = bottom; row <= top; ++row) {
@@ -141,13 +143,13 @@ void CoveredPicture::cover(std::span<const Vec2> polygon, double tolerance) {
           half_planes_.push_back({outwards, glm::dot(outwards, from) + tolerance});
         }
       }
-      cover_tile(column, row, first, count);
+      cover_tile(column, row, extent, first, count);
     }
   }
 }
 
-void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, std::uint32_t first,
-                                std::uint32_t count) {
+void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, const Rectangle& extent,
+                                std::uint32_t first, std::uint32_t count) {
   const Vec2 lower = lower_corner(column, row);
   const double half = 0.5 * tile_size_;
   const Vec2 middle = lower + Vec2{half, half};
@@ -156,7 +158,11 @@ void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, std::uint
     if (side(middle) > half * (std::abs(side.normal.x) + std::abs(side.normal.y))) return;
   }
   Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)];
-  if (!shrink_open_box(tile.open, first, count)) {
+  const Rectangle& open = tile.open;
+  // What reaches from side to side only can leave a smaller box.
+  const bool may_shrink = (extent.lower.x <= open.lower.x && extent.upper.x >= open.upper.x) ||
+                          (extent.lower.y <= open.lower.y && extent.upper.y >= open.upper.y);
+  if (may_shrink && !shrink_open_box(tile.open, first, count)) {
     mark_full(column, row);
     return;
   }
@@ -329,7 +335,14 @@ void CoveredPicture::look_at_tile(std::int64_t column, std::int64_t row, Vec2 a,
     }
     std::swap(open_, next_open_);
   }
-  uncovered.insert(uncovered.end(), open_.begin(), open_.end());
+  for (const Interval& open : open_) {
+    // What goes on in the next tile is one part.
+    if (!uncovered.empty() && uncovered.back().end == open.begin) {
+      uncovered.back().end = open.end;
+    } else {
+      uncovered.push_back(open);
+    }
+  }
 }
 
 }  // namespace spoctree

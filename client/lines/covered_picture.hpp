@@ -65,7 +65,8 @@ class CoveredPicture {
     return {half_planes_.data() + entry.first, entry.count};
   }
 
-  void cover_tile(std::int64_t column, std::int64_t row, std::uint32_t first, std::uint32_t count);
+  void cover_tile(std::int64_t column, std::int64_t row, const Rectangle& extent,
+                  std::uint32_t first, std::uint32_t count);
   bool shrink_open_box(Rectangle& open, std::uint32_t first, std::uint32_t count) const;
   bool is_covered_all_over(const Tile& tile, Vec2 lower);
   void look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step, Interval part,

@@ -52,7 +52,7 @@ class Looker {
         reach_(kCreaseTolerance * scene.diagonal()),
         tolerance_(kPictureTolerance * scene.diagonal()),
         projected_(project_all(scene.creases().creases, is_wanted, camera)),
-        covered_(extent_of(projected_, frame), scene.pieces().leaf_count()) {}
+        covered_(extent_of(projected_, frame), scene.pieces().leaf_count() / 2) {}
 
   std::vector<CreasePart> run() {
     visit({});

@@ -9,6 +9,7 @@
 #include "client/lines/find_seen_parts.hpp"
 #include "client/lines/line_source.hpp"
 #include "client/lines/view.hpp"
+#include "client/rebuild/radix_sort.hpp"
 #include "common/base/errors.hpp"
 #include "common/geometry/tolerances.hpp"
 
@@ -19,9 +20,15 @@ namespace {
 /// Parts of creases, each merged to as few as there are; what is shorter than `shortest`, gap or
 /// part, goes to its neighbours unless it is a whole crease.
 void merge_parts(std::vector<CreasePart>& parts, const Creases& creases, double shortest) {
-  std::sort(parts.begin(), parts.end(), [](const CreasePart& p, const CreasePart& q) {
-    return p.crease != q.crease ? p.crease < q.crease : p.interval.begin < q.interval.begin;
-  });
+  radix_sort(parts, creases.creases.size(), [](const CreasePart& part) { return part.crease; });
+  for (auto begin = parts.begin(); begin != parts.end();) {
+    const auto end = std::find_if(
+        begin, parts.end(), [&](const CreasePart& part) { return part.crease != begin->crease; });
+    std::sort(begin, end, [](const CreasePart& p, const CreasePart& q) {
+      return p.interval.begin < q.interval.begin;
+    });
+    begin = end;
+  }
   std::size_t kept = 0;
   for (std::size_t k = 0; k < parts.size();) {
     CreasePart merged = parts[k];
