@@ -16,11 +16,6 @@ namespace spoctree {
 
 namespace {
 
-bool is_wanted(const VisibleLine& line, const DrawArguments& arguments) {
-  if (line.is_step) return arguments.with_steps;
-  return line.kind == LineKind::Crease ? arguments.with_creases : arguments.with_silhouettes;
-}
-
 /// Lines on the border of a frame are in it for certain, however they are rounded.
 Rectangle with_border(const Rectangle& frame) {
   const Vec2 border = 1e-6 * (frame.upper - frame.lower);
@@ -60,9 +55,11 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
     options.with_hidden_lines = arguments.with_hidden_lines;
     options.split_by_source = arguments.colour_by_kind;
     options.frame = with_border(views[k].frame);
-    VisibleLines lines = visible_lines(*drawn.scene, views[k].camera, options);
-    std::erase_if(lines, [&](const VisibleLine& line) { return !is_wanted(line, arguments); });
-    level.pictures[k] = make_picture(views[k], lines);
+    options.with_silhouettes = arguments.with_silhouettes;
+    options.with_creases = arguments.with_creases;
+    options.with_steps = arguments.with_steps;
+    level.pictures[k] =
+        make_picture(views[k], visible_lines(*drawn.scene, views[k].camera, options));
   });
   return level;
 }

@@ -11,9 +11,10 @@ namespace spoctree {
 /// `keeps_sources`. O(n log n).
 VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_sources = false);
 
-/// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only the
-/// nearest; a visible line goes before a hidden one. O(n) if lines are spread over the picture.
-/// REQUIRES: all lines are in front of the viewer.
+/// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only
+/// one: a visible line rather than a hidden one, else that whose middle is nearer. O(n) if lines
+/// are spread over the picture, however many lie on each other. REQUIRES: all lines are in front of
+/// the viewer.
 VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance);
 
 /// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between

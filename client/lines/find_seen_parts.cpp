@@ -238,12 +238,16 @@ class Looker {
     }
   }
 
-  /// Pieces meet up to rounding, which is larger in the picture where they are near the viewer.
+  /// Pieces meet up to rounding, which is larger in the picture where they are near the viewer; but
+  /// what covers too much beside pieces that reach past the viewer hides more than seams would
+  /// show.
   double tolerance_of(std::span<const Vec3> corners) const {
+    constexpr double kMostGrowth = 64;
     if (!camera_.is_perspective()) return tolerance_;
     double depth = camera_.focal_length();
     for (const Vec3 corner : corners) depth = std::min(depth, camera_.depth(corner));
-    return tolerance_ * camera_.focal_length() / std::max(depth, camera_.least_depth());
+    const double least = camera_.focal_length() / kMostGrowth;
+    return tolerance_ * camera_.focal_length() / std::max(depth, least);
   }
 
   void cover(std::span<const Vec3> corners) {

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numeric>
+#include <utility>
 
 #include "client/lines/arrange_lines.hpp"
 #include "client/lines/view.hpp"
@@ -9,8 +11,11 @@ namespace spoctree {
 
 namespace {
 
-/// Overlaps shorter than this many tolerances are lines that touch.
-constexpr double kShortestOverlap = 4;
+/// Overlaps shorter than this fraction of the tolerance are lines that touch.
+constexpr double kShortestOverlap = 0.01;
+
+/// What is left of a line that is shorter than this many tolerances is dropped.
+constexpr double kShortestRest = 1;
 
 /// A line in the picture.
 struct Trace : ProjectedLine {
@@ -18,14 +23,7 @@ struct Trace : ProjectedLine {
   double length = 0;
 };
 
-/// A part of a line that another one takes over: parameters in the picture.
-struct Cut {
-  std::uint32_t line = 0;
-  double begin = 0;
-  double end = 0;
-};
-
-/// Which lines run through which tiles of a grid; `items_of` a tile are ascending.
+/// What has been kept so far, by the tiles of a grid that it runs through.
 class TraceGrid {
  public:
   TraceGrid(const std::vector<Trace>& traces, double margin) : margin_(margin) {
@@ -39,24 +37,29 @@ class TraceGrid {
     const double wanted = std::sqrt(static_cast<double>(traces.size()));
     side_ = static_cast<std::uint32_t>(std::clamp(wanted, 1.0, 2048.0));
     size_ = std::max({upper.x - lower.x, upper.y - lower.y, margin}) / side_;
-    begin_.assign(std::size_t{side_} * side_ + 1, 0);
-    for (const Trace& trace : traces) {
-      for_each_tile(trace, [&](std::size_t tile) { ++begin_[tile + 1]; });
-    }
-    for (std::size_t k = 1; k < begin_.size(); ++k) begin_[k] += begin_[k - 1];
-    items_.resize(begin_.back());
-    std::vector<std::size_t> fill(begin_.begin(), begin_.end() - 1);
-    for (std::uint32_t line = 0; line < traces.size(); ++line) {
-      for_each_tile(traces[line], [&](std::size_t tile) { items_[fill[tile]++] = line; });
-    }
+    first_.assign(std::size_t{side_} * side_, kNone);
   }
 
-  std::size_t tile_count() const { return begin_.size() - 1; }
-  std::span<const std::uint32_t> items_of(std::size_t tile) const {
-    return {items_.data() + begin_[tile], begin_[tile + 1] - begin_[tile]};
+  void add(const Trace& trace, std::uint32_t item) {
+    for_each_tile(trace, [&](std::size_t tile) {
+      entries_.push_back({item, first_[tile]});
+      first_[tile] = static_cast<std::uint32_t>(entries_.size() - 1);
+    });
+  }
+
+  /// Calls visit(item) for all that run through a tile of the line's; for some more than once.
+  template <class Visit>
+  void visit_near(const Trace& trace, Visit&& visit) const {
+    for_each_tile(trace, [&](std::size_t tile) {
+      for (std::uint32_t k = first_[tile]; k != kNone; k = entries_[k].next) {
+        visit(entries_[k].item);
+      }
+    });
   }
 
  private:
+  static constexpr auto kNone = static_cast<std::uint32_t>(-1);
+
   std::uint32_t column_of(double coordinate, int axis) const {
     const double column = std::floor((coordinate - lower_[axis]) / size_);
     return static_cast<std::uint32_t>(std::clamp(column, 0.0, side_ - 1.0));
@@ -86,67 +89,65 @@ class TraceGrid {
     }
   }
 
+  struct Entry {
+    std::uint32_t item;
+    std::uint32_t next;
+  };
+
   Vec2 lower_;
   double margin_;
   double size_ = 1;
   std::uint32_t side_ = 1;
-  std::vector<std::size_t> begin_;
-  std::vector<std::uint32_t> items_;
+  std::vector<std::uint32_t> first_;  // by tile
+  std::vector<Entry> entries_;
 };
 
-class OverlapFinder {
- public:
-  OverlapFinder(const VisibleLines& lines, const std::vector<Trace>& traces, const Camera& camera,
-                double tolerance)
-      : lines_(lines), traces_(traces), camera_(camera), tolerance_(tolerance) {}
-
-  void compare(std::uint32_t p, std::uint32_t q) {
-    if (traces_[p].length < traces_[q].length) std::swap(p, q);
-    const Trace& longer = traces_[p];
-    const Trace& shorter = traces_[q];
-    const double cross =
-        longer.direction.x * shorter.direction.y - longer.direction.y * shorter.direction.x;
-    if (std::abs(cross) * shorter.length > 2 * tolerance_) return;
-    const Vec2 normal{-longer.direction.y, longer.direction.x};
-    if (std::abs(glm::dot(normal, shorter.a - longer.a)) > tolerance_ ||
-        std::abs(glm::dot(normal, shorter.b - longer.a)) > tolerance_) {
-      return;
-    }
-    const double at_a = glm::dot(longer.direction, shorter.a - longer.a);
-    const double at_b = glm::dot(longer.direction, shorter.b - longer.a);
-    const double begin = std::max(0.0, std::min(at_a, at_b));
-    const double end = std::min(longer.length, std::max(at_a, at_b));
-    if (end - begin < kShortestOverlap * tolerance_) return;
-    // The same stretch as parameters of either line.
-    const double on_longer[2] = {begin / longer.length, end / longer.length};
-    double on_shorter[2] = {(begin - at_a) / (at_b - at_a), (end - at_a) / (at_b - at_a)};
-    if (on_shorter[0] > on_shorter[1]) std::swap(on_shorter[0], on_shorter[1]);
-    if (goes_before(p, 0.5 * (on_longer[0] + on_longer[1]), q,
-                    0.5 * (on_shorter[0] + on_shorter[1]))) {
-      cuts.push_back({q, on_shorter[0], on_shorter[1]});
-    } else {
-      cuts.push_back({p, on_longer[0], on_longer[1]});
-    }
+/// Where a kept line lies on another one, as a part of that one; empty where it does not.
+Interval overlap(const Trace& line, const Trace& kept, double tolerance) {
+  const bool line_is_longer = line.length >= kept.length;
+  const Trace& longer = line_is_longer ? line : kept;
+  const Trace& shorter = line_is_longer ? kept : line;
+  const double cross =
+      longer.direction.x * shorter.direction.y - longer.direction.y * shorter.direction.x;
+  if (std::abs(cross) * shorter.length > 2 * tolerance) return {};
+  const Vec2 normal{-longer.direction.y, longer.direction.x};
+  if (std::abs(glm::dot(normal, shorter.a - longer.a)) > tolerance ||
+      std::abs(glm::dot(normal, shorter.b - longer.a)) > tolerance) {
+    return {};
   }
+  const double at_a = glm::dot(longer.direction, shorter.a - longer.a);
+  const double at_b = glm::dot(longer.direction, shorter.b - longer.a);
+  const double begin = std::max(0.0, std::min(at_a, at_b));
+  const double end = std::min(longer.length, std::max(at_a, at_b));
+  if (end - begin < kShortestOverlap * tolerance) return {};
+  if (line_is_longer) return {begin / longer.length, end / longer.length};
+  Interval on_shorter{(begin - at_a) / (at_b - at_a), (end - at_a) / (at_b - at_a)};
+  if (on_shorter.begin > on_shorter.end) std::swap(on_shorter.begin, on_shorter.end);
+  return on_shorter;
+}
 
-  std::vector<Cut> cuts;
-
- private:
-  bool goes_before(std::uint32_t p, double at_p, std::uint32_t q, double at_q) const {
-    if (lines_[p].hidden != lines_[q].hidden) return lines_[q].hidden;
-    const auto nearness = [&](std::uint32_t line, double t) {
-      return camera_.nearness(lines_[line].a +
-                              traces_[line].to_space(t) * (lines_[line].b - lines_[line].a));
-    };
-    const double ahead = nearness(p, at_p) - nearness(q, at_q);
-    return std::abs(ahead) > tolerance_ ? ahead > 0 : p < q;
+/// The best lines first: visible ones, and of these the nearest.
+std::vector<std::uint32_t> in_order(const VisibleLines& lines, const Camera& camera) {
+  std::vector<double> nearness;
+  nearness.reserve(lines.size());
+  for (const VisibleLine& line : lines) {
+    nearness.push_back(camera.nearness(0.5 * (line.a + line.b)));
   }
+  std::vector<std::uint32_t> order(lines.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {
+    if (lines[p].hidden != lines[q].hidden) return lines[q].hidden;
+    return nearness[p] != nearness[q] ? nearness[p] > nearness[q] : p < q;
+  });
+  return order;
+}
 
-  const VisibleLines& lines_;
-  const std::vector<Trace>& traces_;
-  const Camera& camera_;
-  double tolerance_;
-};
+Trace trace_of(Vec3 a, Vec3 b, const Camera& camera) {
+  Trace trace{project(a, b, camera)};
+  trace.length = glm::distance(trace.a, trace.b);
+  if (trace.length > 0) trace.direction = (trace.b - trace.a) / trace.length;
+  return trace;
+}
 
 }  // namespace
 
@@ -154,45 +155,54 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
   if (lines.empty()) return {};
   std::vector<Trace> traces;
   traces.reserve(lines.size());
-  for (const VisibleLine& line : lines) {
-    Trace trace{project(line.a, line.b, camera)};
-    trace.length = glm::distance(trace.a, trace.b);
-    if (trace.length > 0) trace.direction = (trace.b - trace.a) / trace.length;
-    traces.push_back(trace);
-  }
-  OverlapFinder finder(lines, traces, camera, tolerance);
-  const TraceGrid grid(traces, tolerance);
-  for (std::size_t tile = 0; tile < grid.tile_count(); ++tile) {
-    const auto items = grid.items_of(tile);
-    for (std::size_t i = 0; i < items.size(); ++i) {
-      for (std::size_t j = i + 1; j < items.size(); ++j) finder.compare(items[i], items[j]);
-    }
-  }
-  std::sort(finder.cuts.begin(), finder.cuts.end(), [](const Cut& p, const Cut& q) {
-    return p.line != q.line ? p.line < q.line : p.begin < q.begin;
-  });
+  for (const VisibleLine& line : lines) traces.push_back(trace_of(line.a, line.b, camera));
 
-  VisibleLines result;
-  auto cut = finder.cuts.begin();
-  for (std::uint32_t k = 0; k < lines.size(); ++k) {
-    const double shortest = kShortestOverlap * tolerance / std::max(traces[k].length, tolerance);
+  // Each line in turn keeps what no line before it has kept: nothing is lost, nothing twice.
+  struct Kept {
+    std::uint32_t line;
+    VisibleLine part;
+    Trace trace;
+    std::uint32_t seen_by;
+  };
+  std::vector<Kept> kept;
+  TraceGrid grid(traces, tolerance);
+  std::vector<Interval> taken;
+  for (const std::uint32_t k : in_order(lines, camera)) {
+    const Trace& trace = traces[k];
+    taken.clear();
+    grid.visit_near(trace, [&](std::uint32_t item) {
+      if (kept[item].seen_by == k) return;
+      kept[item].seen_by = k;
+      const Interval covered = overlap(trace, kept[item].trace, tolerance);
+      if (covered.begin < covered.end) taken.push_back(covered);
+    });
+    std::sort(taken.begin(), taken.end(),
+              [](const Interval& p, const Interval& q) { return p.begin < q.begin; });
+    const double shortest = kShortestRest * tolerance / std::max(trace.length, tolerance);
     double from = 0;
     const auto keep_until = [&](double to) {
       if (to - from < shortest && (from > 0 || to < 1)) return;
-      VisibleLine part = lines[k];
+      Kept one{k, lines[k], trace, k};
       const auto at = [&](double s) {
-        return lines[k].a + traces[k].to_space(s) * (lines[k].b - lines[k].a);
+        return lines[k].a + trace.to_space(s) * (lines[k].b - lines[k].a);
       };
-      if (from > 0) part.a = at(from);
-      if (to < 1) part.b = at(to);
-      result.push_back(part);
+      if (from > 0) one.part.a = at(from);
+      if (to < 1) one.part.b = at(to);
+      if (from > 0 || to < 1) one.trace = trace_of(one.part.a, one.part.b, camera);
+      grid.add(one.trace, static_cast<std::uint32_t>(kept.size()));
+      kept.push_back(one);
     };
-    for (; cut != finder.cuts.end() && cut->line == k; ++cut) {
-      keep_until(cut->begin);
-      from = std::max(from, cut->end);
+    for (const Interval& covered : taken) {
+      keep_until(covered.begin);
+      from = std::max(from, covered.end);
     }
     keep_until(1);
   }
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Kept& p, const Kept& q) { return p.line < q.line; });
+  VisibleLines result;
+  result.reserve(kept.size());
+  for (const Kept& one : kept) result.push_back(one.part);
   return result;
 }
 

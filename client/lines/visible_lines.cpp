@@ -75,6 +75,16 @@ void keep_what_is_in_front(std::vector<CreasePart>& parts, const Creases& crease
                 [](const CreasePart& part) { return !(part.interval.begin < part.interval.end); });
 }
 
+bool is_asked_for(const Crease& crease, const Creases& creases, LineKind kind,
+                  const LineOptions& options) {
+  const auto sides = creases.sides_of(crease);
+  if (std::any_of(sides.begin(), sides.end(),
+                  [](const CreaseSide& side) { return side.plane.is_wall(); })) {
+    return options.with_steps;
+  }
+  return kind == LineKind::Crease ? options.with_creases : options.with_silhouettes;
+}
+
 class LineMaker {
  public:
   LineMaker(const LineScene& scene, std::vector<LineKind> kinds)
@@ -153,6 +163,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
     if (!is_seen && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
     kinds[k] = silhouette ? LineKind::Silhouette : LineKind::Crease;
+    if (!is_asked_for(crease, creases, kinds[k], options)) continue;
     if (!silhouette && options.crease_angle_deg > 0 &&
         crease_angle_deg(crease, creases, planes) < options.crease_angle_deg) {
       continue;
@@ -179,7 +190,8 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   for (const CreasePart& part : seen) lines.push_back(maker.line_of(part, false));
   for (const CreasePart& part : hidden) lines.push_back(maker.line_of(part, true));
   const double joint = kJoinTolerance * unit;
-  lines = remove_overlaps(join_lines(lines, joint, options.split_by_source), camera, joint);
+  lines = remove_overlaps(join_lines(lines, joint, options.split_by_source), camera,
+                          kOverlapTolerance * unit);
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });

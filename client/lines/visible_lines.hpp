@@ -23,6 +23,10 @@ struct LineOptions {
   std::uint32_t level = static_cast<std::uint32_t>(-1);
   /// Creases whose faces' normals differ by less than this are drawn as silhouettes only.
   double crease_angle_deg = 0;
+  /// Which lines are wanted at all; a step is neither of the others here.
+  bool with_silhouettes = true;
+  bool with_creases = true;
+  bool with_steps = true;
   /// Adds the parts that cannot be seen, marked as hidden.
   bool with_hidden_lines = false;
   /// Lines are not joined where their sources differ.

@@ -34,6 +34,10 @@ inline constexpr double kCreaseTolerance = 3e-10;
 /// were one before they were rounded.
 inline constexpr double kFlatCrease = 1e-10;
 
+/// Lines of a drawing that lie within this of each other in the picture are drawn once: what is
+/// symmetric in single precision, and corners that merging has moved, lie as far apart.
+inline constexpr double kOverlapTolerance = 5e-7;
+
 /// Consecutive lines become one line if their joints stand off it by less than this.
 inline constexpr double kJoinTolerance = 1e-9;
 

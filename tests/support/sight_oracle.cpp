@@ -122,22 +122,24 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
                                  std::size_t& tried) {
   constexpr double kMargin = 1e-7;
   constexpr double kOnLine = 1e-8;
+  // Of lines so close to each other only one is drawn: a millionth of the universe's diagonal.
+  constexpr double kClose = 4e-6;
   constexpr std::size_t kMost = 10;
   std::vector<std::string> errors;
   const Surface& surface = oracle.surface();
   // Irregular places, so that symmetric scenes are not sampled at their symmetric points only.
   const auto place = [&](int k) { return (k + 0.381966) / samples; };
-  // The direction of a short step is known up to kOnLine only.
-  const auto is_drawn = [&](dvec2 p, const VisibleLine* except, dvec2 step) {
+  // The direction of a short step is known up to `near` only.
+  const auto is_drawn = [&](dvec2 p, const VisibleLine* except, dvec2 step, double near) {
     const dvec2 along = glm::normalize(step);
-    const double bend = 1e-6 + kOnLine / glm::length(step);
+    const double bend = 1e-6 + 2 * near / glm::length(step);
     for (const VisibleLine& line : lines) {
       if (&line == except) continue;
       const dvec2 a = oracle.project(line.a);
       const dvec2 b = oracle.project(line.b);
       const dvec2 ab = b - a;
       if (std::abs(along.x * ab.y - along.y * ab.x) > bend * glm::length(ab)) continue;
-      if (distance_to_segment(p, a, b) < kOnLine) return true;
+      if (distance_to_segment(p, a, b) < near) return true;
     }
     return false;
   };
@@ -150,7 +152,8 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
       const Vec3 point = a + place(k) * step;
       if (oracle.is_near_other_crease(point, step, kMargin)) continue;
       ++tried;
-      if (oracle.is_visible(point, step) && !is_drawn(oracle.project(point), nullptr, step_seen)) {
+      if (oracle.is_visible(point, step) &&
+          !is_drawn(oracle.project(point), nullptr, step_seen, kClose)) {
         errors.push_back(text_of("a crease that is seen is not drawn", point));
       }
     }
@@ -164,7 +167,7 @@ std::vector<std::string> compare(const VisibleLines& lines, const SightOracle& o
       if (!oracle.is_visible(point, step)) {
         errors.push_back(text_of("a line is drawn that is not seen", point));
       }
-      if (is_drawn(oracle.project(point), &line, oracle.project(step))) {
+      if (is_drawn(oracle.project(point), &line, oracle.project(step), kOnLine)) {
         errors.push_back(text_of("two lines lie on each other", point));
       }
     }
