@@ -49,6 +49,12 @@ class Grid {
     return content;
   }
 
+  /// How wide the caption of picture `k` may be: its column, and most of the gap beside it.
+  double room_of(std::size_t k, const PageLayout& page) const {
+    const double gap = std::min(kGapMm, 2 * page.origin_mm.x);
+    return widths_[cells_[k] % columns_] * page.mm_per_unit + 0.8 * gap;
+  }
+
   /// The middle of picture `k` on the page.
   Vec2 middle_of(std::size_t k, const PageLayout& page) const {
     const std::size_t column = cells_[k] % columns_;
@@ -177,11 +183,14 @@ void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines
   }
 }
 
-void add_caption(GroupCollector& groups, const std::string& name, Vec2 middle) {
+/// In smaller letters where there is no room for a longer caption.
+void add_caption(GroupCollector& groups, const std::string& name, Vec2 middle, double room) {
+  if (name.empty()) return;
   Pen pen;
   pen.use = PenUse::Lettering;
-  const Vec2 at{middle.x - 0.5 * lettering_width(name, kLetterMm), middle.y};
-  for (const auto& points : letter(name, at, kLetterMm))
+  const double height = std::min(kLetterMm, kLetterMm * room / lettering_width(name, kLetterMm));
+  const Vec2 at{middle.x - 0.5 * lettering_width(name, height), middle.y};
+  for (const auto& points : letter(name, at, height))
     add_stroke(groups.group(pen, std::nullopt), points);
 }
 
@@ -204,7 +213,7 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
     for (const auto& [pen, lines] : lines_by_pen(pictures[k], options.colour_by_kind))
       add_lines(groups, pen, lines, view, on_page, options.data);
     const double below = 0.5 * size_of(view).y * page.mm_per_unit + kCaptionMm;
-    add_caption(groups, view.name, middle + Vec2{0, below});
+    add_caption(groups, view.name, middle + Vec2{0, below}, grid.room_of(k, page));
   }
   Drawing drawing;
   drawing.title = options.title;
