@@ -36,6 +36,15 @@ void clip(std::span<const Vec2> polygon, const Value& value, std::vector<Vec2>& 
   }
 }
 
+/// Whether a rectangle reaches into what is open; its border alone does not.
+bool do_overlap(const Rectangle& rectangle, const Rectangle& open) {
+  constexpr double kRounding = 1e-15;
+  return rectangle.upper.x > open.lower.x + kRounding &&
+         rectangle.upper.y > open.lower.y + kRounding &&
+         rectangle.lower.x < open.upper.x - kRounding &&
+         rectangle.lower.y < open.upper.y - kRounding;
+}
+
 /// Pictures are not smaller than this.
 constexpr double kLeastSize = 1e-9;
 
@@ -62,11 +71,13 @@ CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles) {
   words_per_row_ = static_cast<std::size_t>((tiles_along_[0] + 63) / 64);
   const auto rows = static_cast<std::size_t>(tiles_along_[1]);
   tiles_.resize(static_cast<std::size_t>(tiles_along_[0]) * rows);
+  // A little larger than the tile, so that lines along its border are within.
+  const Vec2 margin = 1e-9 * Vec2{tile_size_, tile_size_};
   std::size_t number = 0;
   for (std::int64_t row = 0; row < tiles_along_[1]; ++row) {
     for (std::int64_t column = 0; column < tiles_along_[0]; ++column, ++number) {
       const Vec2 lower = lower_corner(column, row);
-      tiles_[number].open = {lower, lower + Vec2{tile_size_, tile_size_}};
+      tiles_[number].open = {lower - margin, lower + Vec2{tile_size_, tile_size_} + margin};
     }
   }
   full_.assign(words_per_row_ * rows, 0);
@@ -104,10 +115,7 @@ bool CoveredPicture::is_full(const Rectangle& rectangle) const {
         const std::int64_t column = 64 * word + std::countr_zero(open);
         const Rectangle& box =
             tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)].open;
-        if (box.lower.x < rectangle.upper.x && box.lower.y < rectangle.upper.y &&
-            box.upper.x > rectangle.lower.x && box.upper.y > rectangle.lower.y) {
-          return false;
-        }
+        if (do_overlap(rectangle, box)) return false;
       }
     }
   }
@@ -159,6 +167,7 @@ void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, const Rec
   }
   Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)];
   const Rectangle& open = tile.open;
+  if (!do_overlap(extent, open)) return;  // it adds nothing
   // What reaches from side to side only can leave a smaller box.
   const bool may_shrink = (extent.lower.x <= open.lower.x && extent.upper.x >= open.upper.x) ||
                           (extent.lower.y <= open.lower.y && extent.upper.y >= open.upper.y);
@@ -304,6 +313,9 @@ void CoveredPicture::look_at_tile(std::int64_t column, std::int64_t row, Vec2 a,
                                   Interval part, std::vector<Interval>& uncovered) {
   if (is_full(column, row)) return;
   const Tile& tile = tiles_[static_cast<std::size_t>(row * tiles_along_[0] + column)];
+  const Vec2 begin = a + part.begin * step;
+  const Vec2 end = a + part.end * step;
+  if (!do_overlap({glm::min(begin, end), glm::max(begin, end)}, tile.open)) return;
   open_.assign(1, part);
   for (std::int32_t number = tile.first_entry; number >= 0 && !open_.empty();) {
     const Entry& entry = entries_[static_cast<std::size_t>(number)];
