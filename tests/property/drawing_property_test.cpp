@@ -13,6 +13,7 @@
 #include "server/solid/import_solid.hpp"
 #include "tests/support/degenerate_tree.hpp"
 #include "tests/support/drawing_judge.hpp"
+#include "tests/support/solid_mesh.hpp"
 #include "tests/support/voxels.hpp"
 #include "tests/unit/judge/judge_scenes.hpp"
 #include "tools/model/models.hpp"
@@ -86,15 +87,6 @@ PlainMesh rebuilt_mesh(const Octree& tree, std::uint32_t level) {
   for (std::size_t k = 0; k < polygons.polygon_count(); ++k) {
     mesh.faces.emplace_back(polygons.corners.begin() + polygons.polygon_begin[k],
                             polygons.corners.begin() + polygons.polygon_begin[k + 1]);
-  }
-  return mesh;
-}
-
-PlainMesh mesh_of(const Solid& solid) {
-  PlainMesh mesh;
-  for (const Vec3 vertex : solid.vertices) mesh.points.push_back(solid.universe.to_model(vertex));
-  for (const SolidTriangle& triangle : solid.triangles) {
-    mesh.faces.push_back({triangle.vertex[0], triangle.vertex[1], triangle.vertex[2]});
   }
   return mesh;
 }

@@ -16,6 +16,7 @@
 #include "server/build/build_octree.hpp"
 #include "server/build/certify.hpp"
 #include "server/solid/import_solid.hpp"
+#include "tests/support/solid_mesh.hpp"
 
 namespace spoctree {
 
@@ -25,15 +26,6 @@ constexpr double kExactly = 1e-9;
 
 /// Beyond this a polygon is triangulated differently by different hands.
 constexpr double kEven = 1e-13;
-
-PlainMesh mesh_of(const Solid& solid) {
-  PlainMesh mesh;
-  for (const Vec3 v : solid.vertices) mesh.points.push_back(solid.universe.to_model(v));
-  for (const SolidTriangle& t : solid.triangles) {
-    mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
-  }
-  return mesh;
-}
 
 std::string text_of(Vec3 p) {
   char text[100];

@@ -17,6 +17,7 @@
 #include "tests/support/mesh_judge.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/ray_judge.hpp"
+#include "tests/support/solid_mesh.hpp"
 
 namespace spoctree {
 
@@ -24,16 +25,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFlat = 1e-12;
-
-/// The triangles that the tree was made from, in model coordinates.
-PlainMesh mesh_of(const Solid& solid) {
-  PlainMesh mesh;
-  for (const Vec3 v : solid.vertices) mesh.points.push_back(solid.universe.to_model(v));
-  for (const SolidTriangle& t : solid.triangles) {
-    mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
-  }
-  return mesh;
-}
 
 Vec3 random_direction(Random& random) {
   while (true) {

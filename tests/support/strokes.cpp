@@ -33,18 +33,17 @@ Strokes::Strokes(std::vector<Stroke> strokes, double pad, double half_width)
     : strokes_(longest_first(std::move(strokes))), grid_(outlines_of(strokes_), pad, half_width) {}
 
 Parts Strokes::near(const Stroke& stroke, double distance) {
-  Parts parts;
-  for (const std::uint32_t k : grid_.near(outline_of(stroke.picture))) {
-    const auto part = part_near(stroke.picture, strokes_[k].picture, distance);
-    if (part) parts.push_back(*part);
-  }
-  return united(std::move(parts));
+  return near_as(&Stroke::picture, stroke, distance);
 }
 
 Parts Strokes::near_in_space(const Stroke& stroke, double distance) {
+  return near_as(&Stroke::space, stroke, distance);
+}
+
+Parts Strokes::near_as(Segment Stroke::*segment, const Stroke& stroke, double distance) {
   Parts parts;
   for (const std::uint32_t k : grid_.near(outline_of(stroke.picture))) {
-    const auto part = part_near(stroke.space, strokes_[k].space, distance);
+    const auto part = part_near(stroke.*segment, strokes_[k].*segment, distance);
     if (part) parts.push_back(*part);
   }
   return united(std::move(parts));

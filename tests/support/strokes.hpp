@@ -40,6 +40,8 @@ class Strokes {
   std::size_t count_runs(double distance);
 
  private:
+  Parts near_as(Segment Stroke::*segment, const Stroke& stroke, double distance);
+
   std::vector<Stroke> strokes_;
   PictureGrid grid_;
 };
