@@ -20,6 +20,9 @@ struct Stroke {
   std::uint32_t begin = 0;  ///< offsets into the group's points
   std::uint32_t end = 0;
   std::optional<std::array<PlaneRef, 2>> planes;  ///< of the line, if the stroke is one
+  /// Dashed pens: how far its beginning is into the dashes, which began with the first stroke of a
+  /// chain.
+  double dashes_before_mm = 0;
 };
 
 /// Strokes that have everything in common but their planes.

@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "client/draw/chain_lines.hpp"
 #include "client/draw/clip_lines.hpp"
 #include "client/draw/lettering.hpp"
 #include "client/lines/arrange_lines.hpp"
@@ -16,6 +17,8 @@ namespace {
 constexpr double kGapMm = 8;
 constexpr double kLetterMm = 3.5;
 constexpr double kCaptionMm = 7;  ///< a caption and the gap above it
+/// On the page, points nearer than this are one, and such a corner is none.
+constexpr double kTouchMm = 1e-6;
 
 Vec2 size_of(const View& view) { return view.frame.upper - view.frame.lower; }
 
@@ -106,8 +109,9 @@ Pen pen_of(const VisibleLine& line, Ink ink, bool colour_by_kind) {
 }
 
 /// Lines come in pen order of their kind. Where a kind takes several pens, each needs its own.
-std::vector<std::pair<Pen, VisibleLines>> lines_by_pen(const Picture& picture,
-                                                       bool colour_by_kind) {
+/// Dashed ones are in chains of lines that are not farther apart than `tolerance`, picture units.
+std::vector<std::pair<Pen, VisibleLines>> lines_by_pen(const Picture& picture, bool colour_by_kind,
+                                                       double tolerance) {
   std::map<Pen, VisibleLines> by_pen;
   std::map<std::pair<bool, PenUse>, int> pens_of_kind;
   for (const VisibleLine& line : picture.lines) {
@@ -118,7 +122,11 @@ std::vector<std::pair<Pen, VisibleLines>> lines_by_pen(const Picture& picture,
   }
   std::vector<std::pair<Pen, VisibleLines>> result;
   for (auto& [pen, lines] : by_pen) {
-    if (pens_of_kind[{pen.hidden, pen.use}] > 1) lines = in_pen_order(lines, picture.view.camera);
+    if (pen.hidden) {
+      lines = in_chains(lines, picture.view.camera, tolerance);
+    } else if (pens_of_kind[{pen.hidden, pen.use}] > 1) {
+      lines = in_pen_order(lines, picture.view.camera);
+    }
     result.emplace_back(pen, std::move(lines));
   }
   return result;
@@ -144,9 +152,6 @@ struct Placement {
   }
 };
 
-/// On the page, points nearer than this are one, and such a corner is none.
-constexpr double kTouchMm = 1e-6;
-
 bool goes_straight_on(Vec2 a, Vec2 b, Vec2 c) {
   const Vec2 way = c - a;
   const double length = glm::length(way);
@@ -170,16 +175,40 @@ bool extend_run(StrokeGroup& group, Vec2 begin, Vec2 end) {
   return true;
 }
 
+/// Dashes run on while the pen does.
+class Dashes {
+ public:
+  /// How long the pen has been going on at `begin`.
+  double draw(Vec2 begin, Vec2 end) {
+    if (!at_ || glm::distance(*at_, begin) > kTouchMm) drawn_ = 0;
+    const double before = drawn_;
+    drawn_ += glm::distance(begin, end);
+    at_ = end;
+    return before;
+  }
+
+ private:
+  std::optional<Vec2> at_;
+  double drawn_ = 0;
+};
+
 void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
                const Placement& on_page, LineData data) {
+  Dashes dashes;
+  const StrokeGroup* last_group = nullptr;
   for (const VisibleLine& line : lines) {
     StrokeGroup& group =
         groups.group(pen, data == LineData::None ? std::nullopt : std::optional(line.source));
     const Vec2 ends[] = {on_page(view.camera.project(line.a)),
                          on_page(view.camera.project(line.b))};
-    if (data != LineData::Planes && extend_run(group, ends[0], ends[1])) continue;
+    const double dashes_before = dashes.draw(ends[0], ends[1]);
+    // Dashes do not run on where the chain has been elsewhere in between.
+    const bool may_be_run = data != LineData::Planes && (!pen.hidden || last_group == &group);
+    last_group = &group;
+    if (may_be_run && extend_run(group, ends[0], ends[1])) continue;
     add_stroke(group, ends);
     if (data == LineData::Planes) group.strokes.back().planes = {line.planes[0], line.planes[1]};
+    if (pen.hidden) group.strokes.back().dashes_before_mm = dashes_before;
   }
 }
 
@@ -210,7 +239,8 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
     const View& view = pictures[k].view;
     const Vec2 middle = grid.middle_of(k, page);
     const Placement on_page{0.5 * (view.frame.lower + view.frame.upper), middle, page.mm_per_unit};
-    for (const auto& [pen, lines] : lines_by_pen(pictures[k], options.colour_by_kind))
+    for (const auto& [pen, lines] :
+         lines_by_pen(pictures[k], options.colour_by_kind, kTouchMm / page.mm_per_unit))
       add_lines(groups, pen, lines, view, on_page, options.data);
     const double below = 0.5 * size_of(view).y * page.mm_per_unit + kCaptionMm;
     add_caption(groups, view.name, middle + Vec2{0, below}, grid.room_of(k, page));

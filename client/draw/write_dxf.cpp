@@ -149,6 +149,7 @@ class DxfWriter {
     entity("POLYLINE", layer);
     pair(66, 1);  // vertices follow
     point({0, drawing_.height_mm}, 10);
+    if (group.pen.hidden) pair(70, 128);  // dashes run on round the corners
     planes_of(stroke);
     for (const Vec2 at : points) {
       entity("VERTEX", layer);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "client/draw/cut_dashes.hpp"
 #include "client/draw/fixed_number.hpp"
 #include "common/base/errors.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double kUnitsPerMm = 40;
 constexpr double kLargestUnit = 8'388'607;
+constexpr double kMostDashes = 1e7;
 
 int plotter_pen(const Pen& pen) {
   if (pen.ink != Ink::Black) return static_cast<int>(pen.ink);
@@ -30,11 +32,6 @@ class HpglWriter {
       at_ = {-1, -1};  // wherever the plotter fetched the pen from
     }
     pen_ = number;
-    // A dash and its gap as in other formats: a pattern of so many percent of the page's diagonal
-    // would depend on the plotter, one in millimetres (mode 1) does not.
-    if (pen.hidden != is_dashed_)
-      text_ += pen.hidden ? "LT2," + to_decimal(kDashMm + kDashGapMm, 1) + ",1;\n" : "LT;\n";
-    is_dashed_ = pen.hidden;
   }
 
   void draw(std::span<const Vec2> points) {
@@ -58,10 +55,7 @@ class HpglWriter {
     at_ = last;
   }
 
-  std::string take() {
-    if (is_dashed_) text_ += "LT;\n";
-    return text_ + "PU;\nSP0;\n";
-  }
+  std::string take() { return std::move(text_) + "PU;\nSP0;\n"; }
 
  private:
   GridPoint unit_of(Vec2 point) const {
@@ -77,9 +71,26 @@ class HpglWriter {
   double height_mm_;
   std::string text_ = "IN;\n";
   int pen_ = 0;
-  bool is_dashed_ = false;
   GridPoint at_{-1, -1};
 };
+
+/// The plotter's own line types are no dashes of ours: their lengths depend on its make, and
+/// whether they run on from line to line too.
+void draw_dashed(HpglWriter& writer, const StrokeGroup& group) {
+  double length = 0;
+  for (const Stroke& stroke : group.strokes) {
+    const auto points = group.points_of(stroke);
+    for (std::size_t k = 1; k < points.size(); ++k)
+      length += glm::distance(points[k - 1], points[k]);
+  }
+  if (length > kMostDashes * (kDashMm + kDashGapMm))
+    throw UsageError("more than 10 million dashes: choose a smaller scale");
+  for (const Stroke& stroke : group.strokes) {
+    for (const auto& dash :
+         cut_dashes(group.points_of(stroke), stroke.dashes_before_mm, kDashMm, kDashGapMm))
+      writer.draw(dash);
+  }
+}
 
 }  // namespace
 
@@ -89,6 +100,10 @@ std::string to_hpgl(const Drawing& drawing) {
   HpglWriter writer(drawing.height_mm);
   for (const StrokeGroup& group : drawing.groups) {
     writer.take_pen(group.pen);
+    if (group.pen.hidden) {
+      draw_dashed(writer, group);
+      continue;
+    }
     for (const Stroke& stroke : group.strokes) writer.draw(group.points_of(stroke));
   }
   return writer.take();

@@ -1,6 +1,7 @@
 #include "client/draw/write_pdf.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "client/draw/fixed_number.hpp"
 #include "common/base/errors.hpp"
@@ -43,10 +44,26 @@ std::string take_pen(const Pen& pen) {
   std::string text = is_glass ? "/Multiply gs\n" : "/Normal gs\n";
   for (const int part : {colour.red, colour.green, colour.blue})
     text += to_decimal(part / 255.0, 3) + ' ';
-  text += "RG " + to_decimal(width_mm(pen), 3) + " w ";
-  text += pen.hidden ? '[' + to_decimal(kDashMm, 3) + ' ' + to_decimal(kDashGapMm, 3) + "] 0 d\n"
-                     : "[] 0 d\n";
+  text += "RG " + to_decimal(width_mm(pen), 3) + " w\n";
+  if (!pen.hidden) text += "[] 0 d\n";
   return text;
+}
+
+/// Where in the dashes a stroke begins, in numbers as short as can be.
+std::string phase_of(const Stroke& stroke) {
+  return to_decimal(std::fmod(stroke.dashes_before_mm, kDashMm + kDashGapMm), kDecimals);
+}
+
+void append_strokes(std::string& text, const StrokeGroup& group) {
+  std::string last_phase;
+  for (const Stroke& stroke : group.strokes) {
+    if (group.pen.hidden && phase_of(stroke) != last_phase) {
+      last_phase = phase_of(stroke);
+      text += '[' + to_decimal(kDashMm, 3) + ' ' + to_decimal(kDashGapMm, 3) + "] " + last_phase +
+              " d\n";
+    }
+    append_stroke(text, group.points_of(stroke));
+  }
 }
 
 std::string begin_layer(int object) { return "/OC /L" + std::to_string(object) + " BDC\n"; }
@@ -86,7 +103,7 @@ std::string PdfWriter::content_of(const Drawing& drawing) {
     content += begin_layer(layer_of(group.pen));
     if (group.source) content += begin_layer(part_of(group.pen, *group.source));
     content += take_pen(group.pen);
-    for (const Stroke& stroke : group.strokes) append_stroke(content, group.points_of(stroke));
+    append_strokes(content, group);
     content += group.source ? "EMC\nEMC\n" : "EMC\n";
   }
   return content;

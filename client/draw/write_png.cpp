@@ -39,13 +39,14 @@ void take_pen(cairo_t* context, const Pen& pen) {
   const Rgb colour = colour_of(pen);
   cairo_set_source_rgb(context, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   cairo_set_line_width(context, width_mm(pen));
-  const double dashes[] = {kDashMm, kDashGapMm};
-  cairo_set_dash(context, dashes, pen.hidden ? 2 : 0, 0);
   const bool is_glass = pen.ink == Ink::LeftEye || pen.ink == Ink::RightEye;
   cairo_set_operator(context, is_glass ? CAIRO_OPERATOR_MULTIPLY : CAIRO_OPERATOR_OVER);
 }
 
-void draw(cairo_t* context, std::span<const Vec2> points) {
+void draw(cairo_t* context, const StrokeGroup& group, const Stroke& stroke) {
+  const double dashes[] = {kDashMm, kDashGapMm};
+  cairo_set_dash(context, dashes, group.pen.hidden ? 2 : 0, stroke.dashes_before_mm);
+  const auto points = group.points_of(stroke);
   cairo_move_to(context, points.front().x, points.front().y);
   for (const Vec2 point : points.subspan(1)) cairo_line_to(context, point.x, point.y);
   // Stroke by stroke: cairo's time for one path grows faster than its length.
@@ -77,7 +78,7 @@ std::string to_png(const Drawing& drawing, double dpi) {
   cairo_set_line_join(context.get(), CAIRO_LINE_JOIN_ROUND);
   for (const StrokeGroup& group : drawing.groups) {
     take_pen(context.get(), group.pen);
-    for (const Stroke& stroke : group.strokes) draw(context.get(), group.points_of(stroke));
+    for (const Stroke& stroke : group.strokes) draw(context.get(), group, stroke);
   }
   check(cairo_status(context.get()));
   std::string png;

@@ -51,14 +51,29 @@ bool append_stroke(std::string& svg, std::span<const Vec2> points) {
   return is_started;
 }
 
+/// Not less than it is by whole dashes, so that a style sheet may change these.
+std::string dash_offset(const Stroke& stroke) {
+  const std::string offset = length(stroke.dashes_before_mm);
+  return offset == "0" ? "" : " stroke-dashoffset=\"" + offset + '"';
+}
+
 void append_plain_group(std::string& svg, const StrokeGroup& group) {
   std::string data;
+  std::string offset;
+  const auto finish = [&] {
+    if (data.empty()) return;
+    data.pop_back();
+    svg += "<path class=\"" + name_of(group.pen, ' ') + '"' + offset + " d=\"" + data + "\"/>\n";
+    data.clear();
+  };
   for (const Stroke& stroke : group.strokes) {
+    if (dash_offset(stroke) != offset) {
+      finish();
+      offset = dash_offset(stroke);
+    }
     if (append_stroke(data, group.points_of(stroke))) data += '\n';
   }
-  if (data.empty()) return;
-  data.pop_back();
-  svg += "<path class=\"" + name_of(group.pen, ' ') + "\" d=\"" + data + "\"/>\n";
+  finish();
 }
 
 void append_group_with_data(std::string& svg, const StrokeGroup& group, const Universe& universe) {
@@ -71,7 +86,7 @@ void append_group_with_data(std::string& svg, const StrokeGroup& group, const Un
       paths += " data-planes=\"" + name_of((*stroke.planes)[0], universe) + ' ' +
                name_of((*stroke.planes)[1], universe) + '"';
     }
-    paths += " d=\"" + data + "\"/>\n";
+    paths += dash_offset(stroke) + " d=\"" + data + "\"/>\n";
   }
   if (paths.empty()) return;
   svg += "<g class=\"" + name_of(group.pen, ' ') + "\" data-node=\"" + name_of(*group.source) +

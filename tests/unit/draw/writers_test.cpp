@@ -158,9 +158,18 @@ TEST(Dxf, LayersHaveNamesThatR12Takes) {
 }
 
 TEST(Hpgl, HoldsTheSegmentsWithAPenForEachClass) {
-  expect_segments(read_hpgl(to_hpgl(sample_drawing())),
-                  {{{90, 2.5}, {90, 52.5}, "4"},
-                   {{1, 60.5}, {3.5, 58.25}, "2"},
+  auto segments = read_hpgl(to_hpgl(sample_drawing()));
+  // The hidden line of 50 mm is twenty dashes, one each 2.6 mm; the last one is cut off.
+  ASSERT_GT(segments.size(), 20U);
+  for (int k = 0; k < 20; ++k) {
+    const Segment& dash = segments[static_cast<std::size_t>(k)];
+    EXPECT_TRUE(is_near(dash.a, {90, 2.5 + 2.6 * k}, 0.0126));
+    EXPECT_TRUE(is_near(dash.b, {90, std::min(52.5, 4.1 + 2.6 * k)}, 0.0126));
+    EXPECT_EQ(dash.layer, "4");
+  }
+  segments.erase(segments.begin(), segments.begin() + 20);
+  expect_segments(segments,
+                  {{{1, 60.5}, {3.5, 58.25}, "2"},
                    {{10, 60.5}, {5, 60.5}, "2"},
                    {{20, 42.5}, {30, 42.5}, "1"},
                    {{30, 42.5}, {30, 17.5}, "1"}},
