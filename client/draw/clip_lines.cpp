@@ -40,10 +40,7 @@ bool clip(VisibleLine& line, const Camera& camera, const Rectangle& frame) {
     if (at_a < 0) begin = std::max(begin, at_a / (at_a - at_b));
     if (at_b < 0) end = std::min(end, at_a / (at_a - at_b));
   }
-  const Vec3 way = line.b - line.a;
-  const Vec3 a = line.a;
-  if (begin > 0) line.a = a + begin * way;
-  if (end < 1) line.b = a + end * way;
+  if (begin > 0 || end < 1) line = cut(line, begin, end);
   return begin < end && camera.project(line.a) != camera.project(line.b);
 }
 

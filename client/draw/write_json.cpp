@@ -49,6 +49,34 @@ void append_view(std::string& json, const View& view, const Universe& universe) 
   json += '}';
 }
 
+/// What a line or a stretch of one knows of the tree.
+void append_origin(std::string& json, const PlaneRef (&planes)[2], const LineSource& source,
+                   const Universe& universe) {
+  json += "\"planes\":[";
+  append_plane(json, planes[0], universe);
+  json += ',';
+  append_plane(json, planes[1], universe);
+  json += std::string("],\"node\":\"") + name_of(source.kind) +
+          "\",\"level\":" + std::to_string(source.level) +
+          ",\"inherited\":" + truth(source.is_inherited);
+}
+
+void append_stretches(std::string& json, const std::vector<LineStretch>& stretches,
+                      const Universe& universe) {
+  json += ",\"stretches\":";
+  char separator = '[';
+  for (const LineStretch& stretch : stretches) {
+    json += separator;
+    json += "{\"end\":";
+    append_number(json, stretch.end);
+    json += ',';
+    append_origin(json, stretch.planes, stretch.source, universe);
+    json += '}';
+    separator = ',';
+  }
+  json += ']';
+}
+
 void append_line(std::string& json, const VisibleLine& line, const Universe& universe,
                  std::size_t view) {
   json += '{';
@@ -57,14 +85,10 @@ void append_line(std::string& json, const VisibleLine& line, const Universe& uni
   append_vector(json, "b", universe.to_model(line.b));
   json += line.kind == LineKind::Crease ? ",\"kind\":\"crease\"" : ",\"kind\":\"silhouette\"";
   json += std::string(",\"hidden\":") + truth(line.hidden) + ",\"step\":" + truth(line.is_step);
-  json += ",\"planes\":[";
-  append_plane(json, line.planes[0], universe);
   json += ',';
-  append_plane(json, line.planes[1], universe);
-  json += std::string("],\"node\":\"") + name_of(line.source.kind) +
-          "\",\"level\":" + std::to_string(line.source.level) +
-          ",\"inherited\":" + truth(line.source.is_inherited) +
-          ",\"view\":" + std::to_string(view) + '}';
+  append_origin(json, line.planes, line.source, universe);
+  if (!line.stretches.empty()) append_stretches(json, line.stretches, universe);
+  json += ",\"view\":" + std::to_string(view) + '}';
 }
 
 }  // namespace

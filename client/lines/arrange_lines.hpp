@@ -7,9 +7,8 @@
 namespace spoctree {
 
 /// Joins lines of one kind that continue each other straight on into one line. Joints stand off the
-/// result by less than `tolerance` (universe units). Lines from different sources are not joined if
-/// `keeps_sources`. O(n log n).
-VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_sources = false);
+/// result by less than `tolerance` (universe units). O(n log n).
+VisibleLines join_lines(const VisibleLines& lines, double tolerance);
 
 /// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only
 /// one: a visible line rather than a hidden one, else that whose middle is nearer. O(n) if lines

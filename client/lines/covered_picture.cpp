@@ -84,9 +84,9 @@ CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles) {
 }
 
 std::int64_t CoveredPicture::column_of(double coordinate, int axis) const {
-  const double column = std::floor((coordinate - lower_[axis]) / tile_size_);
-  return static_cast<std::int64_t>(
-      std::clamp(column, -1.0, static_cast<double>(tiles_along_[axis])));
+  const double column = (coordinate - lower_[axis]) / tile_size_;
+  if (!(column >= 0)) return -1;
+  return static_cast<std::int64_t>(std::min(column, static_cast<double>(tiles_along_[axis])));
 }
 
 Vec2 CoveredPicture::lower_corner(std::int64_t column, std::int64_t row) const {

@@ -35,8 +35,6 @@ class CreaseParts {
     const Range range = ranges_[leaf.level][leaf.index];
     return {parts_.data() + range.first, range.count};
   }
-  /// Of all leaves.
-  std::span<const CreasePart> all() const { return parts_; }
 
  private:
   struct Range {

@@ -88,8 +88,7 @@ class Ends {
 };
 
 /// For each end, the end of the line that continues its own straight on, or kNone.
-std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance,
-                                         bool keeps_sources) {
+std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance) {
   const Ends ends(lines, tolerance);
   const auto count = static_cast<std::uint32_t>(2 * lines.size());
   std::vector<std::uint32_t> choice(count, kNone);
@@ -104,7 +103,7 @@ std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double toler
     for (const std::uint32_t other : near) {
       const VisibleLine& next = lines[other / 2];
       if (other / 2 == end / 2 || next.kind != line.kind || next.hidden != line.hidden ||
-          next.is_step != line.is_step || (keeps_sources && next.source != line.source)) {
+          next.is_step != line.is_step) {
         continue;
       }
       const Vec3 other_far = ends.at(other ^ 1);
@@ -135,9 +134,10 @@ class Straightener {
     points_.assign(1, point);
     links_.clear();
   }
-  void append(std::uint32_t line, Vec3 end) {
-    links_.push_back(line);
-    points_.push_back(end);
+  /// `end` is an end of a line, as in Ends: the other end of the line has just been reached.
+  void append(std::uint32_t end, Vec3 point) {
+    links_.push_back(end);
+    points_.push_back(point);
   }
   void finish() {
     todo_.assign(1, {0, links_.size()});
@@ -163,31 +163,46 @@ class Straightener {
 
  private:
   void emit(std::size_t first, std::size_t last) {
-    const auto length = [&](std::size_t k) {
-      return glm::distance(lines_[links_[k]].a, lines_[links_[k]].b);
-    };
-    std::size_t longest = first;
-    for (std::size_t k = first + 1; k < last; ++k) {
-      if (length(k) > length(longest)) longest = k;
-    }
-    VisibleLine line = lines_[links_[longest]];
+    VisibleLine line = lines_[links_[first] / 2];
     line.a = points_[first];
     line.b = points_[last];
+    if (last - first == 1) {
+      if (links_[first] % 2 == 0) line = reversed(lines_[links_[first] / 2]);
+    } else {
+      append_stretches(line, first, last);
+    }
     result_.push_back(line);
+  }
+
+  /// What the links between two points have for stretches becomes the joined line's.
+  void append_stretches(VisibleLine& line, std::size_t first, std::size_t last) {
+    const Vec3 way = line.b - line.a;
+    const auto at = [&](Vec3 point) { return glm::dot(point - line.a, way) / glm::dot(way, way); };
+    std::vector<LineStretch> stretches;
+    for (std::size_t k = first; k < last; ++k) {
+      const VisibleLine& next = lines_[links_[k] / 2];
+      const double begin = at(points_[k]);
+      const double end = k + 1 == last ? 1 : at(points_[k + 1]);
+      for (LineStretch stretch : stretches_of(links_[k] % 2 == 0 ? reversed(next) : next)) {
+        stretch.end = stretch.end == 1 ? end : begin + stretch.end * (end - begin);
+        stretches.push_back(stretch);
+      }
+    }
+    set_stretches(line, stretches);
   }
 
   const VisibleLines& lines_;
   double tolerance_;
   VisibleLines& result_;
   std::vector<Vec3> points_;
-  std::vector<std::uint32_t> links_;  // the line between points k and k + 1
+  std::vector<std::uint32_t> links_;  // the end of a line that is point k + 1
   std::vector<std::pair<std::size_t, std::size_t>> todo_;
 };
 
 }  // namespace
 
-VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_sources) {
-  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance, keeps_sources);
+VisibleLines join_lines(const VisibleLines& lines, double tolerance) {
+  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance);
   VisibleLines result;
   Straightener straightener(lines, tolerance, result);
   std::vector<bool> done(lines.size(), false);
@@ -196,7 +211,7 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance, bool keeps_
     straightener.start(at(end));
     while (end != kNone && !done[end / 2]) {
       done[end / 2] = true;
-      straightener.append(end / 2, at(end ^ 1));
+      straightener.append(end ^ 1, at(end ^ 1));
       end = partners[end ^ 1];
     }
     straightener.finish();

@@ -1,17 +1,15 @@
-// A place on a crease -> where the tree has it from.
+// Lines -> where the tree has it from, stretch by stretch.
 #pragma once
-
-#include <span>
 
 #include "client/lines/visible_line.hpp"
 #include "common/tree/octree.hpp"
 
 namespace spoctree {
 
-/// The source of a line at `point`, whose faces lie in `planes` (outward normals): the leaf of
-/// T_level, or its GREY node, that has the material beside the point. Which one is decided up to
-/// rounding. O(depth).
-LineSource find_source(const Octree& tree, std::uint32_t level, Vec3 point,
-                       std::span<const PlaneRef> planes);
+/// Divides the stretches of the lines where the leaves of T_level (or its GREY nodes) end that have
+/// the material beside it, and says of which each is. Which side of a wall the material is on, and
+/// with that where the stretches end, is decided up to rounding; those shorter than kShortestLine
+/// go to the ones before them. O(depth) for each leaf along a line.
+void find_sources(VisibleLines& lines, const Octree& tree, std::uint32_t level);
 
 }  // namespace spoctree

@@ -144,9 +144,8 @@ VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera) {
     EndsLeft left(std::move(members), ends);
     while (!left.is_empty()) {
       const std::uint32_t end = left.nearest(pen);
-      VisibleLine line = lines[end / 2];
-      if (end % 2 == 1) std::swap(line.a, line.b);
-      result.push_back(line);
+      const VisibleLine& line = lines[end / 2];
+      result.push_back(end % 2 == 1 ? reversed(line) : line);
       pen = ends[end ^ 1];
       left.forget(end / 2);
     }

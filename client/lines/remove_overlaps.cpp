@@ -183,14 +183,13 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     const auto keep_until = [&](double to) {
       if (to - from < shortest && (from > 0 || to < 1)) return;
       Kept one{k, lines[k], trace, k};
-      const auto at = [&](double s) {
-        return lines[k].a + trace.to_space(s) * (lines[k].b - lines[k].a);
-      };
-      if (from > 0) one.part.a = at(from);
-      if (to < 1) one.part.b = at(to);
-      if (from > 0 || to < 1) one.trace = trace_of(one.part.a, one.part.b, camera);
+      if (from > 0 || to < 1) {
+        one.part =
+            cut(lines[k], from > 0 ? trace.to_space(from) : 0, to < 1 ? trace.to_space(to) : 1);
+        one.trace = trace_of(one.part.a, one.part.b, camera);
+      }
       grid.add(one.trace, static_cast<std::uint32_t>(kept.size()));
-      kept.push_back(one);
+      kept.push_back(std::move(one));
     };
     for (const Interval& covered : taken) {
       keep_until(covered.begin);
@@ -198,11 +197,13 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     }
     keep_until(1);
   }
-  std::stable_sort(kept.begin(), kept.end(),
-                   [](const Kept& p, const Kept& q) { return p.line < q.line; });
+  std::vector<std::uint32_t> order(kept.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t p, std::uint32_t q) { return kept[p].line < kept[q].line; });
   VisibleLines result;
   result.reserve(kept.size());
-  for (const Kept& one : kept) result.push_back(one.part);
+  for (const std::uint32_t k : order) result.push_back(std::move(kept[k].part));
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "common/geometry/plane.hpp"
@@ -25,6 +26,16 @@ struct LineSource {
   bool operator==(const LineSource&) const = default;
 };
 
+/// A stretch of a line that lies between two planes and in one node.
+struct LineStretch {
+  double end = 1;  ///< it reaches from where the one before ends to a + end (b - a)
+  LineSource source;
+  PlaneRef planes[2];  ///< two of the faces beside it
+
+  /// Of the same planes (in either order) and of the same source.
+  bool goes_on_in(const LineStretch& next) const;
+};
+
 /// A straight line of a drawing, in universe coordinates.
 struct VisibleLine {
   Vec3 a{0.0};
@@ -33,11 +44,24 @@ struct VisibleLine {
   bool hidden = false;  ///< behind material: only there if LineOptions ask for hidden lines
   /// One of its faces is a cell wall: a step of the frontier, which later levels take away.
   bool is_step = false;
-  LineSource source;  ///< of the longest part, where several were joined
-  /// Two of the faces beside it (beside the longest of the creases that were joined).
-  PlaneRef planes[2];
+  LineSource source;   ///< of its longest stretch
+  PlaneRef planes[2];  ///< of its longest stretch
+  /// What it runs along from a to b, in this order; empty if that is one stretch.
+  std::vector<LineStretch> stretches;
 };
 
 using VisibleLines = std::vector<VisibleLine>;
+
+/// All stretches of a line, one at least.
+std::vector<LineStretch> stretches_of(const VisibleLine& line);
+
+/// Makes them those of the line, equal neighbours as one. REQUIRES: there are some, and the last
+/// one ends at 1.
+void set_stretches(VisibleLine& line, std::span<const LineStretch> stretches);
+
+/// The part from a + begin (b - a) to a + end (b - a).
+VisibleLine cut(const VisibleLine& line, double begin, double end);
+
+VisibleLine reversed(const VisibleLine& line);
 
 }  // namespace spoctree

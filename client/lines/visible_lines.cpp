@@ -100,45 +100,32 @@ class LineMaker {
     line.b = at(part.interval.end);
     line.kind = kinds_[part.crease];
     line.hidden = hidden;
-    PlaneRef planes[kMostSides];
     std::size_t count = 0;
     for (const CreaseSide& side : scene_.creases().sides_of(crease)) {
-      if (count < kMostSides) planes[count++] = side.plane;
+      if (count < 2) line.planes[count++] = side.plane;
       line.is_step |= side.plane.is_wall();
     }
-    for (std::size_t k = 0; k < 2 && k < count; ++k) line.planes[k] = planes[k];
-    line.source = find_source(scene_.tree(), scene_.level(),
-                              at(0.5 * (part.interval.begin + part.interval.end)), {planes, count});
     return line;
   }
 
  private:
-  static constexpr std::size_t kMostSides = 8;
   const LineScene& scene_;
   const std::vector<LineKind> kinds_;
 };
 
-/// Cuts parts (by ascending crease) where leaves of the tree end.
-std::vector<CreasePart> cut_at_leaves(const std::vector<CreasePart>& parts,
-                                      const CreaseParts& leaves, std::size_t crease_count) {
-  std::vector<std::vector<double>> borders(crease_count);
-  for (const CreasePart& leaf : leaves.all()) {
-    borders[leaf.crease].push_back(leaf.interval.begin);
-    borders[leaf.crease].push_back(leaf.interval.end);
-  }
-  std::vector<CreasePart> cut;
-  for (const CreasePart& part : parts) {
-    auto& of_crease = borders[part.crease];
-    std::sort(of_crease.begin(), of_crease.end());
-    double from = part.interval.begin;
-    for (const double border : of_crease) {
-      if (border <= from || border >= part.interval.end) continue;
-      cut.push_back({part.crease, {from, border}});
-      from = border;
+/// Cuts lines where their sources differ.
+VisibleLines split_by_source(const VisibleLines& lines) {
+  VisibleLines split;
+  for (const VisibleLine& line : lines) {
+    const std::vector<LineStretch> stretches = stretches_of(line);
+    double begin = 0;
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      if (k + 1 < stretches.size() && stretches[k].source == stretches[k + 1].source) continue;
+      split.push_back(cut(line, begin, stretches[k].end));
+      begin = stretches[k].end;
     }
-    cut.push_back({part.crease, {from, part.interval.end}});
   }
-  return cut;
+  return split;
 }
 
 }  // namespace
@@ -181,21 +168,18 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
     hidden = rest_of(wanted, seen);
     keep_what_is_in_front(hidden, creases, camera);
   }
-  if (options.split_by_source) {
-    seen = cut_at_leaves(seen, scene.parts(), creases.creases.size());
-    hidden = cut_at_leaves(hidden, scene.parts(), creases.creases.size());
-  }
   const LineMaker maker(scene, std::move(kinds));
   VisibleLines lines;
   for (const CreasePart& part : seen) lines.push_back(maker.line_of(part, false));
   for (const CreasePart& part : hidden) lines.push_back(maker.line_of(part, true));
-  const double joint = kJoinTolerance * unit;
-  lines = remove_overlaps(join_lines(lines, joint, options.split_by_source), camera,
-                          kOverlapTolerance * unit);
+  lines =
+      remove_overlaps(join_lines(lines, kJoinTolerance * unit), camera, kOverlapTolerance * unit);
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });
-  return in_pen_order(lines, camera);
+  lines = in_pen_order(lines, camera);
+  find_sources(lines, scene.tree(), scene.level());
+  return options.split_by_source ? split_by_source(lines) : lines;
 }
 
 VisibleLines visible_lines(const Octree& tree, const Surface& surface, const Camera& camera,

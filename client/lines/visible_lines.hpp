@@ -29,7 +29,7 @@ struct LineOptions {
   bool with_steps = true;
   /// Adds the parts that cannot be seen, marked as hidden.
   bool with_hidden_lines = false;
-  /// Lines are not joined where their sources differ.
+  /// Lines are cut where their sources differ.
   bool split_by_source = false;
   /// The part of the picture that is wanted; left out: the extent of the universe.
   std::optional<Rectangle> frame;

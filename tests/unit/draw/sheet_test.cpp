@@ -9,7 +9,7 @@ namespace spoctree::test {
 namespace {
 
 VisibleLine line(Vec3 a, Vec3 b, LineKind kind = LineKind::Crease) {
-  return {a, b, kind, false, false, {}, {}};
+  return {a, b, kind, false, false, {}, {}, {}};
 }
 
 Picture picture(const char* name, Vec3 from, Rectangle frame, const VisibleLines& lines) {

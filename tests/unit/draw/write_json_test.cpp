@@ -35,6 +35,24 @@ TEST(Json, ListsViewsAndLinesInModelCoordinates) {
       "\"planes\":[0,0],\"node\":\"grey\",\"level\":0,\"inherited\":false,\"view\":0}]}\n");
 }
 
+TEST(Json, TellsEachStretchOfALineThatHasSeveral) {
+  VisibleLine line;
+  line.b = {1, 0, 0};
+  const LineStretch stretches[] = {
+      {0.25, {NodeKind::Vertex, 3, false}, {PlaneRef::of_table(1), PlaneRef::of_table(2)}},
+      {1, {NodeKind::Black, 2, true}, {PlaneRef::of_table(1), PlaneRef::of_table(2)}}};
+  set_stretches(line, stretches);
+  const Picture picture = picture_of({line});
+  EXPECT_NE(to_json({&picture, 1}, Universe{}, "m", 0)
+                .find("\"planes\":[1,2],\"node\":\"black\",\"level\":2,\"inherited\":true,"
+                      "\"stretches\":["
+                      "{\"end\":0.25,\"planes\":[1,2],\"node\":\"vertex\",\"level\":3,"
+                      "\"inherited\":false},"
+                      "{\"end\":1,\"planes\":[1,2],\"node\":\"black\",\"level\":2,"
+                      "\"inherited\":true}],\"view\":0}"),
+            std::string::npos);
+}
+
 TEST(Json, TellsWhereTheEyeIs) {
   Universe universe;
   universe.center = {10, 0, 0};

@@ -8,7 +8,7 @@ namespace spoctree {
 namespace {
 
 VisibleLine line(Vec3 a, Vec3 b, LineKind kind = LineKind::Crease, bool hidden = false) {
-  return {a, b, kind, hidden, false, {}, {}};
+  return {a, b, kind, hidden, false, {}, {}, {}};
 }
 
 double ways_between(const VisibleLines& lines, const Camera& camera) {
@@ -46,6 +46,24 @@ TEST(JoinLines, KeepsCornersKindsAndGaps) {
                               line({0, 6, 0}, {1, 6, 0}),
                               line({1, 6, 0}, {2, 6 + 1e-6, 0})};  // a bend
   EXPECT_EQ(join_lines(lines, 1e-9).size(), lines.size());
+}
+
+TEST(JoinLines, RemembersWhatALineIsMadeOf) {
+  // Three lines along x, the middle one turned, of planes 1, 2, 2 and lengths 1, 2, 1.
+  VisibleLines lines = {line({0, 0, 0}, {1, 0, 0}), line({3, 0, 0}, {1, 0, 0}),
+                        line({3, 0, 0}, {4, 0, 0})};
+  const auto plane = [](std::uint32_t k) { return PlaneRef::of_table(k); };
+  lines[0].planes[0] = plane(1);
+  for (const int k : {1, 2}) lines[static_cast<std::size_t>(k)].planes[0] = plane(2);
+  const VisibleLines joined = join_lines(lines, 1e-9);
+  ASSERT_EQ(joined.size(), 1u);
+  VisibleLine whole = joined[0].a.x == 0 ? joined[0] : reversed(joined[0]);
+  ASSERT_EQ(whole.stretches.size(), 2u);
+  EXPECT_NEAR(whole.stretches[0].end, 0.25, 1e-15);
+  EXPECT_EQ(whole.stretches[0].planes[0], plane(1));
+  EXPECT_EQ(whole.stretches[1].end, 1);
+  EXPECT_EQ(whole.stretches[1].planes[0], plane(2));
+  EXPECT_EQ(whole.planes[0], plane(2));
 }
 
 TEST(JoinLines, GoesStraightThroughACrossing) {

@@ -18,8 +18,13 @@ Octree chequered() {
 double length_of_parts(const Octree& tree, const Crease& crease) {
   const CreaseParts parts(tree, 9, {&crease, 1}, kTolerance);
   double sum = 0;
-  for (const CreasePart& part : parts.all()) {
-    sum += (part.interval.end - part.interval.begin) * glm::distance(crease.a, crease.b);
+  for (std::uint32_t level = 0; level < tree.levels.size(); ++level) {
+    for (std::uint32_t k = 0; k < tree.levels[level].kinds.size(); ++k) {
+      if (tree.levels[level].kinds[k] == NodeKind::Grey) continue;
+      for (const CreasePart& part : parts.of({level, k})) {
+        sum += (part.interval.end - part.interval.begin) * glm::distance(crease.a, crease.b);
+      }
+    }
   }
   return sum;
 }
