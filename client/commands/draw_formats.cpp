@@ -37,8 +37,9 @@ void check_page(const DrawArguments& arguments, DrawFormat format) {
     throw UsageError("--dpi must be between 10 and 2400");
   const bool is_json_only = format == DrawFormat::Json && arguments.html.empty();
   if (is_json_only && (arguments.page.scale || arguments.page.paper || arguments.colour_by_kind ||
-                       !arguments.with_data))
-    throw UsageError("JSON has no page: --scale, --page, --colour-by and --bare do nothing there");
+                       !arguments.with_data || arguments.view.projection))
+    throw UsageError(
+        "JSON has no page: --scale, --page, --projection, --colour-by and --bare do nothing there");
 }
 
 }  // namespace
@@ -80,6 +81,8 @@ Drawing sheet_of(const LevelPictures& level, const DrawArguments& arguments, Dra
   options.page = arguments.page;
   options.title = level.model + ", level " + std::to_string(level.level);
   options.colour_by_kind = arguments.colour_by_kind;
+  if (is_arranged_by_projection(arguments.view.named))
+    options.symbol = arguments.view.projection.value_or(Projection::FirstAngle);
   options.data = arguments.with_data ? data_of(format) : LineData::None;
   if (format == DrawFormat::Dxf && !options.page.scale && !options.page.paper) {
     options.page.scale = 1;

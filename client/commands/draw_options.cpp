@@ -44,8 +44,8 @@ std::optional<Vec3> parse_vector(const std::string& text, const std::string& opt
 }  // namespace
 
 struct DrawOptions::Texts {
-  std::string level, from, eye, target, up, fov, views, stereo, eye_separation, scale, page, lines,
-      hidden = "none", colour_by = "none", crease_angle, dpi, format, output, html;
+  std::string level, from, eye, target, up, fov, views, projection, stereo, eye_separation, scale,
+      page, lines, hidden = "none", colour_by = "none", crease_angle, dpi, format, output, html;
   bool bare = false;
 };
 
@@ -71,6 +71,12 @@ DrawOptions::DrawOptions(CLI::App& command, StreamOptions& stream)
       .add_option("--view", texts.views,
                   "front, back, left, right, top, bottom or iso; several, separated by commas, "
                   "make a sheet at one scale")
+      ->group(views);
+  command
+      .add_option("--projection", texts.projection,
+                  "first or third: the angle by which such a sheet is arranged; left out: first, "
+                  "as ISO 128 has it")
+      ->check(CLI::IsMember({"first", "third"}))
       ->group(views);
   command.add_option("--from", texts.from, "X,Y,Z: a parallel projection, from this direction")
       ->group(views);
@@ -155,6 +161,8 @@ DrawArguments DrawOptions::arguments() const {
 
   ViewOptions& view = arguments.view;
   if (!texts.views.empty()) view.named = split(texts.views);
+  if (!texts.projection.empty())
+    view.projection = texts.projection == "third" ? Projection::ThirdAngle : Projection::FirstAngle;
   view.from = parse_vector(texts.from, "--from");
   view.eye = parse_vector(texts.eye, "--eye");
   view.target = parse_vector(texts.target, "--target");

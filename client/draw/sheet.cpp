@@ -17,6 +17,8 @@ namespace {
 constexpr double kGapMm = 8;
 constexpr double kLetterMm = 3.5;
 constexpr double kCaptionMm = 7;  ///< a caption and the gap above it
+constexpr double kSymbolMm = 7;
+constexpr double kFootMm = 10;  ///< the symbol and the gap above it
 /// On the page, points nearer than this are one, and such a corner is none.
 constexpr double kTouchMm = 1e-6;
 
@@ -25,20 +27,24 @@ Vec2 size_of(const View& view) { return view.frame.upper - view.frame.lower; }
 /// Where each picture goes.
 class Grid {
  public:
-  explicit Grid(std::span<const Picture> pictures) {
-    for (const Picture& picture : pictures) count_ += picture.view.is_over_last ? 0 : 1;
-    columns_ = count_ <= 3 ? count_ : static_cast<std::size_t>(std::ceil(std::sqrt(count_)));
-    widths_.resize(columns_);
-    heights_.resize((count_ + columns_ - 1) / columns_);
-    std::size_t cell = 0;
+  Grid(std::span<const Picture> pictures, bool has_symbol) : foot_mm_(has_symbol ? kFootMm : 0) {
+    const auto count = std::count_if(pictures.begin(), pictures.end(), [](const Picture& picture) {
+      return !picture.view.is_over_last;
+    });
+    const int columns =
+        count <= 3 ? static_cast<int>(count) : static_cast<int>(std::ceil(std::sqrt(count)));
+    int next = 0;
     for (const Picture& picture : pictures) {
-      if (!picture.view.is_over_last && &picture != &pictures.front()) ++cell;
-      cells_.push_back(cell);
-      double& width = widths_[cell % columns_];
-      double& height = heights_[cell / columns_];
-      width = std::max(width, size_of(picture.view).x);
-      height = std::max(height, size_of(picture.view).y);
-      if (!picture.view.name.empty()) caption_mm_ = kCaptionMm;
+      const View& view = picture.view;
+      if (!view.is_over_last) {
+        cells_.push_back(view.cell.value_or(SheetCell{next % columns, next / columns}));
+        ++next;
+      } else {
+        cells_.push_back(cells_.back());
+      }
+      widen(widths_, cells_.back().column, size_of(view).x);
+      widen(heights_, cells_.back().row, size_of(view).y);
+      if (!view.name.empty()) caption_mm_ = kCaptionMm;
     }
   }
 
@@ -46,22 +52,22 @@ class Grid {
     PageContent content;
     for (const double width : widths_) content.pictures.x += width;
     for (const double height : heights_) content.pictures.y += height;
-    const auto columns = static_cast<double>(columns_);
+    const auto columns = static_cast<double>(widths_.size());
     const auto rows = static_cast<double>(heights_.size());
-    content.rest_mm = {(columns - 1) * kGapMm, (rows - 1) * kGapMm + rows * caption_mm_};
+    content.rest_mm = {(columns - 1) * kGapMm, (rows - 1) * kGapMm + rows * caption_mm_ + foot_mm_};
     return content;
   }
 
   /// How wide the caption of picture `k` may be: its column, and most of the gap beside it.
   double room_of(std::size_t k, const PageLayout& page) const {
     const double gap = std::min(kGapMm, 2 * page.origin_mm.x);
-    return widths_[cells_[k] % columns_] * page.mm_per_unit + 0.8 * gap;
+    return widths_[index(cells_[k].column)] * page.mm_per_unit + 0.8 * gap;
   }
 
   /// The middle of picture `k` on the page.
   Vec2 middle_of(std::size_t k, const PageLayout& page) const {
-    const std::size_t column = cells_[k] % columns_;
-    const std::size_t row = cells_[k] / columns_;
+    const std::size_t column = index(cells_[k].column);
+    const std::size_t row = index(cells_[k].row);
     Vec2 at = page.origin_mm + Vec2{0.5 * widths_[column], 0.5 * heights_[row]} * page.mm_per_unit;
     for (std::size_t c = 0; c < column; ++c) at.x += widths_[c] * page.mm_per_unit + kGapMm;
     for (std::size_t r = 0; r < row; ++r)
@@ -70,10 +76,15 @@ class Grid {
   }
 
  private:
-  std::size_t count_ = 0;
-  std::size_t columns_ = 0;
+  static std::size_t index(int number) { return static_cast<std::size_t>(number); }
+  static void widen(std::vector<double>& sizes, int number, double size) {
+    if (sizes.size() <= index(number)) sizes.resize(index(number) + 1);
+    sizes[index(number)] = std::max(sizes[index(number)], size);
+  }
+
   double caption_mm_ = 0;
-  std::vector<std::size_t> cells_;
+  double foot_mm_ = 0;
+  std::vector<SheetCell> cells_;
   std::vector<double> widths_;  ///< picture units
   std::vector<double> heights_;
 };
@@ -223,6 +234,19 @@ void add_caption(GroupCollector& groups, const std::string& name, Vec2 middle, d
     add_stroke(groups.group(pen, std::nullopt), points);
 }
 
+/// Smaller where there is no room for it.
+void add_symbol(GroupCollector& groups, Projection projection, const PageLayout& page,
+                double margin) {
+  Pen pen;
+  pen.use = PenUse::Lettering;
+  const double room = page.width_mm - 2 * margin;
+  const double height = kSymbolMm * std::min(1.0, room / projection_symbol_width(kSymbolMm));
+  const Vec2 at{page.width_mm - margin - projection_symbol_width(height),
+                page.height_mm - margin - height};
+  for (const auto& points : projection_symbol(projection, at, height))
+    add_stroke(groups.group(pen, std::nullopt), points);
+}
+
 }  // namespace
 
 Picture make_picture(View view, const VisibleLines& lines) {
@@ -232,7 +256,7 @@ Picture make_picture(View view, const VisibleLines& lines) {
 
 Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
                    const SheetOptions& options) {
-  const Grid grid(pictures);
+  const Grid grid(pictures, options.symbol.has_value());
   const PageLayout page = lay_out(grid.content(), universe.scale(), options.page);
   GroupCollector groups;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
@@ -245,6 +269,7 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
     const double below = 0.5 * size_of(view).y * page.mm_per_unit + kCaptionMm;
     add_caption(groups, view.name, middle + Vec2{0, below}, grid.room_of(k, page));
   }
+  if (options.symbol) add_symbol(groups, *options.symbol, page, options.page.margin_mm);
   Drawing drawing;
   drawing.title = options.title;
   drawing.width_mm = page.width_mm;

@@ -31,13 +31,17 @@ struct SheetOptions {
   std::string title;            ///< see Drawing
   bool colour_by_kind = false;  ///< inks of ink_of_kind
   LineData data = LineData::Planes;
+  /// Its symbol goes into the lower right corner of the page.
+  std::optional<Projection> symbol;
 };
 
-/// Pictures side by side in reading order, in as many columns as rows or more, each above its
-/// name; frames of one column are centred, those of one row too. Lines of each pen are in a short
+/// Pictures in the cells of their views, or else side by side in reading order, in as many columns
+/// as rows or more, each above its name; frames of one column are centred, those of one row too, so
+/// that views from the sides of a solid have common axes. Lines of each pen are in a short
 /// pen order. In runs, lines that go straight on in the
 /// picture become one. Throws UsageError as `lay_out` does.
-/// REQUIRES: at least one picture; the first one does not lie over another.
+/// REQUIRES: at least one picture; the first one does not lie over another; all of those that do
+/// not have cells, each its own, or none has.
 /// O(n log n) in the lines.
 Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
                    const SheetOptions& options);

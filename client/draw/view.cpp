@@ -144,7 +144,13 @@ void check(const ViewOptions& options) {
     throw UsageError("--stereo takes one view");
   if (!(options.eye_separation > 0 && options.eye_separation <= kLargestEyeSeparation))
     throw UsageError("--eye-separation must be greater than 0 and at most 1");
-  for (const std::string& name : options.named) direction_of(name);
+  for (const std::string& name : options.named) {
+    direction_of(name);
+    if (std::count(options.named.begin(), options.named.end(), name) > 1)
+      throw UsageError("--view: '" + name + "' is there twice");
+  }
+  if (options.projection && !is_arranged_by_projection(options.named))
+    throw UsageError("--projection is for a sheet: --view with two or more sides of the model");
   if (options.from) Camera(*options.from, options.up.value_or(kUpwards));
 }
 
@@ -159,7 +165,12 @@ std::vector<View> make_views(const ViewOptions& options, const Octree& tree) {
     const Camera camera(direction.toward_viewer, direction.up);
     views.push_back(view_of(camera, target, common_frame({camera}, target, points, {}), name));
   }
-  if (!views.empty()) return views;
+  if (!views.empty()) {
+    const auto cells =
+        arrange_views(options.named, options.projection.value_or(Projection::FirstAngle));
+    for (std::size_t k = 0; k < views.size(); ++k) views[k].cell = cells[k];
+    return views;
+  }
 
   Camera camera;
   if (!options.named.empty()) {

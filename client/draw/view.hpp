@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "client/draw/arrange_views.hpp"
 #include "client/draw/pen.hpp"
 #include "client/lines/camera.hpp"
 #include "common/tree/octree.hpp"
@@ -15,6 +16,8 @@ namespace spoctree {
 struct ViewOptions {
   /// Names of view_names(): seen from there, +Z upwards, as a draughtsman names them.
   std::vector<std::string> named;
+  /// How several named views are arranged; left out: first angle.
+  std::optional<Projection> projection;
   std::optional<Vec3> from;    ///< parallel: towards the viewer
   std::optional<Vec3> eye;     ///< perspective; model coordinates
   std::optional<Vec3> target;  ///< left out: the middle of the model; model coordinates
@@ -39,6 +42,8 @@ struct View {
   Rectangle frame;            ///< the part of the picture that is shown
   Ink ink = Ink::Black;       ///< of all its lines
   bool is_over_last = false;  ///< drawn over the picture before, not beside it
+  /// Where it belongs on a sheet; left out: after the one before.
+  std::optional<SheetCell> cell = std::nullopt;
 };
 
 /// front, back, left, right, top, bottom, iso.
