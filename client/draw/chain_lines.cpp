@@ -81,9 +81,7 @@ class Joints {
 };
 
 VisibleLine beginning_at(const VisibleLines& lines, std::uint32_t end) {
-  VisibleLine line = lines[end / 2];
-  if (end % 2 == 1) std::swap(line.a, line.b);
-  return line;
+  return end % 2 == 1 ? reversed(lines[end / 2]) : lines[end / 2];
 }
 
 std::vector<VisibleLines> chains_of(const VisibleLines& lines,
@@ -108,8 +106,8 @@ std::vector<VisibleLines> chains_of(const VisibleLines& lines,
 }
 
 VisibleLines reversed_chain(const VisibleLines& chain) {
-  VisibleLines result(chain.rbegin(), chain.rend());
-  for (VisibleLine& line : result) std::swap(line.a, line.b);
+  VisibleLines result;
+  for (auto line = chain.rbegin(); line != chain.rend(); ++line) result.push_back(reversed(*line));
   return result;
 }
 

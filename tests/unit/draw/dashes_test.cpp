@@ -104,6 +104,20 @@ TEST(Chains, KeepEveryLineOnce) {
   EXPECT_TRUE(in_chains({}, kTop, 1e-9).empty());
 }
 
+TEST(Chains, TurnWhatLinesKnowOfTheirStretchesToo) {
+  VisibleLine backwards = hidden_line({2, 0, 0}, {1, 0, 0});
+  backwards.stretches = {{0.25, {NodeKind::Convex, 1, false}, {}},
+                         {1, {NodeKind::Concave, 2, false}, {}}};
+  const VisibleLines chained =
+      in_chains({hidden_line({0, 0, 0}, {1, 0, 0}), backwards}, kTop, 1e-9);
+  ASSERT_EQ(chained.size(), 2U);
+  const VisibleLine& turned = chained[0].a.x + chained[0].b.x > 2 ? chained[0] : chained[1];
+  ASSERT_EQ(turned.stretches.size(), 2U);
+  const bool is_turned = turned.a.x < turned.b.x;
+  EXPECT_EQ(turned.stretches[0].source.level, is_turned ? 2 : 1);
+  EXPECT_EQ(turned.stretches[0].end, is_turned ? 0.75 : 0.25);
+}
+
 TEST(CutDashes, BeginWithADashAndGoRoundCorners) {
   const std::vector<Vec2> corner = {{0, 0}, {4, 0}, {4, 4}};
   const auto dashes = cut_dashes(corner, 0, 3, 2);
