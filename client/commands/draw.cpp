@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 #include <vector>
 
 #include "client/commands/commands.hpp"
 #include "client/commands/draw_formats.hpp"
+#include "client/commands/draw_warnings.hpp"
 #include "client/commands/drawing_output.hpp"
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/surface_rebuilder.hpp"
@@ -28,27 +30,76 @@ struct Drawn {
   std::optional<LineScene> scene;
 };
 
+/// Shows how much of a level is drawn, and ends that when the user does not want it any more.
+class LevelProgress {
+ public:
+  LevelProgress(LevelStream& stream, const std::string& model)
+      : line_(stream.progress_line()),
+        model_(model),
+        level_(std::to_string(stream.level())),
+        report_([this](double fraction) { report(fraction); }) {}
+
+  /// The next step, of this share of all.
+  ProgressShare begin(const char* step, double share) {
+    step_ = step;
+    begin_ = end_;
+    end_ += share;
+    check();
+    show(begin_);
+    return ProgressShare(meter_, share);
+  }
+
+ private:
+  /// By any thread, one at a time.
+  void report(double fraction) {
+    check();
+    // Some of a step before may have been nothing to do.
+    if (line_.wants_text()) show(std::max(fraction, begin_));
+  }
+  void check() const {
+    if (Interruption::is_requested()) throw NetworkError(model_ + ": interrupted");
+  }
+  void show(double fraction) {
+    line_.show(step_ + (" level " + level_) + " " +
+               describe_progress(fraction, elapsed_.seconds()));
+  }
+
+  ProgressLine& line_;
+  const std::string model_;
+  const std::string level_;
+  std::string step_;
+  double begin_ = 0;  // of the step
+  double end_ = 0;
+  Elapsed elapsed_;
+  const ProgressReport report_;
+  ProgressMeter meter_{report_};
+};
+
+/// Afterwards, no further level can be drawn if this is the last one.
 LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<View>& views,
-                         const DrawArguments& arguments) {
+                         const DrawArguments& arguments, bool is_last) {
   const Octree& tree = stream.tree();
   LevelPictures level;
   level.model = clean_text(stream.model_name(), kLongestTitle);
   level.level = stream.level();
   level.universe = tree.universe;
   level.pictures.resize(views.size());
-  const auto start = [&](const char* step) {
-    if (Interruption::is_requested()) throw NetworkError(level.model + ": interrupted");
-    stream.progress_line().show(step + (" level " + std::to_string(level.level)));
-  };
-  start("rebuilding");
-  const Surface surface = drawn.rebuilder.rebuild(tree, level.level);
-  start("preparing");
-  if (drawn.scene) {
-    drawn.scene->go_on_to(surface, level.level);
-  } else {
-    drawn.scene.emplace(tree, surface, level.level);
+  LevelProgress progress(stream, level.model);
+  // The work, where there are a million faces: a view is a fourth of rebuilding, or of preparing.
+  const double per_view = 1 / (8 + static_cast<double>(views.size()));
+  {
+    const Surface surface =
+        drawn.rebuilder.rebuild(tree, level.level, progress.begin("rebuilding", 4 * per_view));
+    if (is_last) drawn.rebuilder = {};
+    const ProgressShare preparing = progress.begin("preparing", 4 * per_view);
+    if (drawn.scene) {
+      drawn.scene->go_on_to(surface, level.level, preparing);
+    } else {
+      drawn.scene.emplace(tree, surface, level.level, preparing);
+    }
   }
-  start("drawing");
+  const ProgressShare drawing =
+      progress.begin("drawing", per_view * static_cast<double>(views.size()));
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
     options.crease_angle_deg = arguments.crease_angle_deg;
@@ -58,9 +109,12 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
     options.with_silhouettes = arguments.with_silhouettes;
     options.with_creases = arguments.with_creases;
     options.with_steps = arguments.with_steps;
+    options.progress = drawing.part(per_item(views.size()));
     level.pictures[k] =
         make_picture(views[k], visible_lines(*drawn.scene, views[k].camera, options));
   });
+  if (is_last) drawn.scene.reset();
+  progress.begin("writing", 0);
   return level;
 }
 
@@ -68,18 +122,26 @@ void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPag
   LevelStream stream(arguments.stream);
   Drawn drawn;
   std::vector<View> views;
-  const auto draw = [&] { return draw_level(stream, drawn, views, arguments); };
+  const bool keeps_levels = arguments.all_levels || page.is_wanted();
+  const auto draw = [&] {
+    const bool is_last = !keeps_levels || stream.tree().is_complete();
+    return draw_level(stream, drawn, views, arguments, is_last);
+  };
   LevelPictures last;
   // While a level is drawn, the next one waits in the socket.
   while (stream.next_level()) {
     // The first level says how large the model is: views are the same for all levels.
     if (views.empty()) views = make_views(arguments.view, stream.tree());
-    if (!arguments.all_levels && !page.is_wanted()) continue;
+    if (!keeps_levels) continue;
     last = draw();
     if (arguments.all_levels) files.add(last);
     if (page.is_wanted()) page.add(last, stream);
   }
-  if (!arguments.all_levels) files.add(page.is_wanted() ? last : draw());
+  if (!arguments.all_levels && !page.is_wanted()) last = draw();
+  if (!arguments.all_levels) files.add(last);
+  stream.progress_line().clear();
+  for (const std::string& warning : warnings_of(last, stream.tree()))
+    std::fprintf(stderr, "spoctree-client: %s\n", warning.c_str());
 }
 
 }  // namespace

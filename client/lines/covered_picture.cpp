@@ -58,7 +58,8 @@ constexpr std::uint32_t kManyEntries = 64;
 
 }  // namespace
 
-CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles) {
+CoveredPicture::CoveredPicture(const Rectangle& bounds, std::size_t tiles, std::size_t most_entries)
+    : most_entries_(most_entries) {
   // A little larger and off the bounds, by fractions that keep the borders of tiles away from the
   // walls of cells in views along the axes.
   const Vec2 size = 1.03141 * glm::max(bounds.upper - bounds.lower, Vec2{kLeastSize, kLeastSize});
@@ -142,6 +143,7 @@ void CoveredPicture::cover(std::span<const Vec2> polygon, double tolerance) {
     for (std::int64_t column = left; column <= right; ++column) {
       if (is_full(column, row)) continue;
       if (count == 0) {
+        small_count(half_planes_.size() + polygon.size(), "sides of outlines in a picture");
         first = static_cast<std::uint32_t>(half_planes_.size());
         count = static_cast<std::uint32_t>(polygon.size());
         for (std::size_t k = 0; k < polygon.size(); ++k) {
@@ -175,6 +177,7 @@ void CoveredPicture::cover_tile(std::int64_t column, std::int64_t row, const Rec
     mark_full(column, row);
     return;
   }
+  small_count(entries_.size() + 1, "outlines in tiles of a picture", most_entries_);
   entries_.push_back({first, count, tile.first_entry});
   tile.first_entry = static_cast<std::int32_t>(entries_.size() - 1);
   ++tile.entry_count;

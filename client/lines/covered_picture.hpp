@@ -12,17 +12,24 @@
 
 #include "client/lines/camera.hpp"
 #include "client/lines/crease_parts.hpp"
+#include "common/base/plain_vector.hpp"
+#include "common/base/small_count.hpp"
 
 namespace spoctree {
 
 class CoveredPicture {
  public:
-  /// Nothing is covered yet; there will be about so many tiles.
-  CoveredPicture(const Rectangle& bounds, std::size_t tiles);
+  static constexpr std::size_t kMostEntries = (std::size_t{1} << 31) - 1;
+
+  /// Nothing is covered yet; there will be about so many tiles, and at most so many entries: an
+  /// outline in a tile is one.
+  CoveredPicture(const Rectangle& bounds, std::size_t tiles,
+                 std::size_t most_entries = kMostEntries);
 
   /// Adds a strictly convex polygon, counter-clockwise; what is out of bounds does not count. It
   /// covers what is nearer to it than `tolerance`, too: polygons that share an edge up to rounding
-  /// leave no gap between them.
+  /// leave no gap between them. Throws BadInput if there are too many entries, or sides of
+  /// polygons.
   void cover(std::span<const Vec2> polygon, double tolerance);
 
   /// True if what lies in the rectangle is certainly covered, or out of bounds.
@@ -78,8 +85,9 @@ class CoveredPicture {
   std::vector<Tile> tiles_;          // row by row
   std::vector<std::uint64_t> full_;  // one bit per tile, rows padded to whole words
   std::size_t words_per_row_;
-  std::vector<HalfPlane> half_planes_;
-  std::vector<Entry> entries_;
+  std::size_t most_entries_;
+  PlainVector<HalfPlane> half_planes_;
+  PlainVector<Entry> entries_;
   // Working memory.
   std::vector<Polygon> rest_;
   Polygon within_, cut_;

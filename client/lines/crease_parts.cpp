@@ -11,21 +11,26 @@ namespace spoctree {
 class CreaseParts::Distributor {
  public:
   Distributor(const Octree& tree, std::uint32_t level, std::span<const Crease> creases,
-              double tolerance, CreaseParts& result)
+              double tolerance, const ProgressShare& progress, std::size_t most,
+              CreaseParts& result)
       : tree_(tree),
         level_(level),
         creases_(creases),
         tolerance_(tolerance),
+        progress_(progress),
+        most_(most),
         result_(result),
         handed_down_(level + 1) {}
 
-  /// Empties `parts`.
-  void visit(const NodeAddress& node, std::vector<CreasePart>& parts) {
+  /// Empties `parts`. A share of `work` is done then.
+  void visit(const NodeAddress& node, std::vector<CreasePart>& parts, double work) {
     if (parts.empty()) return;
     const Level& level = tree_.levels[node.level];
     if (level.kinds[node.index] != NodeKind::Grey || node.level == level_) {
+      small_count(result_.parts_.size() + parts.size(), "parts of creases", most_);
       result_.ranges_[node.level][node.index] = {static_cast<std::uint32_t>(result_.parts_.size()),
                                                  static_cast<std::uint32_t>(parts.size())};
+      progress_.add(work);
       result_.parts_.insert(result_.parts_.end(), parts.begin(), parts.end());
       parts.clear();
       return;
@@ -37,8 +42,12 @@ class CreaseParts::Distributor {
     }
     for (const CreasePart& part : parts) divide(part, middle, buckets);
     parts.clear();
+    std::size_t handed_down = 0;
+    for (const auto& bucket : buckets) handed_down += bucket.size();
+    const double per_part = work * per_item(handed_down);
     for (std::uint32_t octant = 0; octant < 8; ++octant) {
-      visit(node.child(level.first_child[node.index], octant), buckets[octant]);
+      visit(node.child(level.first_child[node.index], octant), buckets[octant],
+            per_part * static_cast<double>(buckets[octant].size()));
     }
   }
 
@@ -96,19 +105,22 @@ class CreaseParts::Distributor {
   const std::uint32_t level_;
   const std::span<const Crease> creases_;
   const double tolerance_;
+  ProgressCounter progress_;
+  const std::size_t most_;
   CreaseParts& result_;
   std::vector<Buckets> handed_down_;  // by level
 };
 
 CreaseParts::CreaseParts(const Octree& tree, std::uint32_t level, std::span<const Crease> creases,
-                         double tolerance) {
+                         double tolerance, const ProgressShare& progress, std::size_t most) {
   level = static_cast<std::uint32_t>(std::min<std::size_t>(level, tree.levels.size() - 1));
   ranges_.resize(level + 1);
   for (std::uint32_t k = 0; k <= level; ++k) ranges_[k].resize(tree.levels[k].size());
   std::vector<CreasePart> all;
+  small_count(creases.size(), "creases", most);
   all.reserve(creases.size());
   for (std::uint32_t k = 0; k < creases.size(); ++k) all.push_back({k, {0, 1}});
-  Distributor(tree, level, creases, tolerance, *this).visit({}, all);
+  Distributor(tree, level, creases, tolerance, progress, most, *this).visit({}, all, 1);
 }
 
 }  // namespace spoctree

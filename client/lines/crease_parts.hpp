@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "client/lines/crease.hpp"
+#include "common/base/progress_meter.hpp"
+#include "common/base/small_count.hpp"
 #include "common/tree/node_address.hpp"
 
 namespace spoctree {
@@ -27,9 +29,11 @@ struct CreasePart {
 class CreaseParts {
  public:
   /// What is nearer to a cube than `tolerance` (universe units) touches it. Time and memory
-  /// O(creases * cubes that each touches); cubes that no crease touches are not visited.
+  /// O(creases * cubes that each touches); cubes that no crease touches are not visited. Throws
+  /// BadInput if there are more than `most` parts, or what `progress` throws.
   CreaseParts(const Octree& tree, std::uint32_t level, std::span<const Crease> creases,
-              double tolerance);
+              double tolerance, const ProgressShare& progress = {},
+              std::size_t most = kMostIn32Bits);
 
   std::span<const CreasePart> of(const NodeAddress& leaf) const {
     const Range range = ranges_[leaf.level][leaf.index];

@@ -42,7 +42,7 @@ Rectangle extent_of(const std::vector<ProjectedLine>& creases, const Rectangle& 
 class Looker {
  public:
   Looker(const LineScene& scene, const std::vector<bool>& is_wanted, const Camera& camera,
-         const Rectangle& frame)
+         const Rectangle& frame, const ProgressShare& progress)
       : scene_(scene),
         tree_(scene.tree()),
         planes_(tree_.plane_set()),
@@ -52,10 +52,11 @@ class Looker {
         reach_(kCreaseTolerance * scene.diagonal()),
         tolerance_(kPictureTolerance * scene.diagonal()),
         projected_(project_all(scene.creases().creases, is_wanted, camera)),
-        covered_(extent_of(projected_, frame), scene.pieces().leaf_count() / 2) {}
+        covered_(extent_of(projected_, frame), scene.pieces().leaf_count() / 2),
+        progress_(progress) {}
 
   std::vector<CreasePart> run() {
-    visit({});
+    visit({}, 1);
     return std::move(seen_);
   }
 
@@ -67,7 +68,8 @@ class Looker {
     return side_of_any_point({plane.normal, plane.offset * viewpoint_.w}, viewpoint_.xyz) > 0;
   }
 
-  void visit(const NodeAddress& node) {
+  /// A share of `work` is done then.
+  void visit(const NodeAddress& node, double work) {
     const Level& level = tree_.levels[node.level];
     const NodeKind kind = level.kinds[node.index];
     const bool is_leaf = kind != NodeKind::Grey || node.level == scene_.level();
@@ -75,9 +77,13 @@ class Looker {
     const auto parts = is_leaf ? scene_.parts().of(node) : std::span<const CreasePart>{};
     if (scene_.extents().is_empty(node)) return;
     const auto extent = extent_of_box(scene_.extents().of(node), camera_);
-    if (extent && covered_.is_full(*extent)) return;
+    if (extent && covered_.is_full(*extent)) {
+      progress_.add(work);
+      return;
+    }
     if (is_leaf) {
       look_at_leaf(node, pieces, parts);
+      progress_.add(work);
       return;
     }
     std::uint32_t nearest = 0;
@@ -86,9 +92,20 @@ class Looker {
       if (viewpoint_.xyz[axis] > viewpoint_.w * middle)
         nearest |= 1u << static_cast<unsigned>(axis);
     }
+    const double per_child = work * per_item(count_children(node));
     for (std::uint32_t i = 0; i < 8; ++i) {
-      visit(node.child(level.first_child[node.index], i ^ nearest));
+      visit(node.child(level.first_child[node.index], i ^ nearest), per_child);
     }
+  }
+
+  /// Those that are not empty.
+  std::size_t count_children(const NodeAddress& node) const {
+    const std::uint32_t first = tree_.levels[node.level].first_child[node.index];
+    std::size_t count = 0;
+    for (std::uint32_t octant = 0; octant < 8; ++octant) {
+      if (!scene_.extents().is_empty(node.child(first, octant))) ++count;
+    }
+    return count;
   }
 
   void look_at_leaf(const NodeAddress& node, const LeafPieces* pieces,
@@ -287,6 +304,7 @@ class Looker {
   const std::vector<ProjectedLine> projected_;
   CoveredPicture covered_;
   std::vector<CreasePart> seen_;
+  ProgressCounter progress_;
   // Working memory.
   Vec3 cube_[8];
   std::vector<CreasePart> waiting_, divided_, later_, parts_, near_, far_;
@@ -299,8 +317,9 @@ class Looker {
 }  // namespace
 
 std::vector<CreasePart> find_seen_parts(const LineScene& scene, const std::vector<bool>& is_wanted,
-                                        const Camera& camera, const Rectangle& frame) {
-  return Looker(scene, is_wanted, camera, frame).run();
+                                        const Camera& camera, const Rectangle& frame,
+                                        const ProgressShare& progress) {
+  return Looker(scene, is_wanted, camera, frame, progress).run();
 }
 
 }  // namespace spoctree

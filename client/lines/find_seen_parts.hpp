@@ -18,7 +18,9 @@ namespace spoctree {
 ///
 /// `is_wanted` says of each crease whether it counts. Within `frame`; the parts may overlap. Time
 /// about linear in the nodes, pieces and creases that are not behind what covers the picture.
+/// Throws BadInput as CoveredPicture::cover does, or what `progress` throws.
 std::vector<CreasePart> find_seen_parts(const LineScene& scene, const std::vector<bool>& is_wanted,
-                                        const Camera& camera, const Rectangle& frame);
+                                        const Camera& camera, const Rectangle& frame,
+                                        const ProgressShare& progress = {});
 
 }  // namespace spoctree

@@ -88,12 +88,15 @@ class Ends {
 };
 
 /// For each end, the end of the line that continues its own straight on, or kNone.
-std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance) {
+std::vector<std::uint32_t> find_partners(const VisibleLines& lines, double tolerance,
+                                         const ProgressShare& progress) {
+  ProgressCounter counter(progress);
   const Ends ends(lines, tolerance);
   const auto count = static_cast<std::uint32_t>(2 * lines.size());
   std::vector<std::uint32_t> choice(count, kNone);
   std::vector<std::uint32_t> near;
   for (std::uint32_t end = 0; end < count; ++end) {
+    counter.add(per_item(count));
     ends.find_near(end, near);
     if (near.size() > kMostEndsAtOnePoint) continue;
     const VisibleLine& line = lines[end / 2];
@@ -201,8 +204,9 @@ class Straightener {
 
 }  // namespace
 
-VisibleLines join_lines(const VisibleLines& lines, double tolerance) {
-  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance);
+VisibleLines join_lines(const VisibleLines& lines, double tolerance,
+                        const ProgressShare& progress) {
+  const std::vector<std::uint32_t> partners = find_partners(lines, tolerance, progress);
   VisibleLines result;
   Straightener straightener(lines, tolerance, result);
   std::vector<bool> done(lines.size(), false);

@@ -8,6 +8,11 @@ namespace spoctree {
 
 namespace {
 
+/// The shares of the steps, where there are a million faces.
+constexpr double kFindingPieces = 0.9;
+constexpr double kDistributing = 0.06;
+constexpr double kMeasuring = 0.04;
+
 Creases creases_of(const Surface& surface) {
   Creases creases;
   creases.creases.reserve(surface.edges.size());
@@ -24,19 +29,23 @@ Creases creases_of(const Surface& surface) {
 
 }  // namespace
 
-LineScene::LineScene(const Octree& tree, const Surface& surface, std::uint32_t level)
+LineScene::LineScene(const Octree& tree, const Surface& surface, std::uint32_t level,
+                     const ProgressShare& progress)
     : tree_(tree),
       diagonal_(std::sqrt(3.0) * 2 * tree.universe.half_side),
       creases_(creases_of(surface)),
-      pieces_(tree, level),
-      parts_(tree, level, creases_.creases, kCreaseTolerance * diagonal_),
-      extents_(tree, pieces_, creases_.creases, parts_) {}
+      pieces_(tree, level, progress.part(kFindingPieces)),
+      parts_(tree, level, creases_.creases, kCreaseTolerance * diagonal_,
+             progress.part(kDistributing)),
+      extents_(tree, pieces_, creases_.creases, parts_, progress.part(kMeasuring)) {}
 
-void LineScene::go_on_to(const Surface& surface, std::uint32_t level) {
+void LineScene::go_on_to(const Surface& surface, std::uint32_t level,
+                         const ProgressShare& progress) {
   creases_ = creases_of(surface);
-  pieces_.go_on_to(tree_, level);
-  parts_ = CreaseParts(tree_, level, creases_.creases, kCreaseTolerance * diagonal_);
-  extents_ = NodeExtents(tree_, pieces_, creases_.creases, parts_);
+  pieces_.go_on_to(tree_, level, progress.part(kFindingPieces));
+  parts_ = CreaseParts(tree_, level, creases_.creases, kCreaseTolerance * diagonal_,
+                       progress.part(kDistributing));
+  extents_ = NodeExtents(tree_, pieces_, creases_.creases, parts_, progress.part(kMeasuring));
 }
 
 }  // namespace spoctree

@@ -14,13 +14,16 @@ class LineScene {
  public:
   /// `surface` is rebuild_surface(tree, level); levels beyond the tree mean its last level. Time
   /// and memory O(nodes + creases), in parallel. REQUIRES: a valid tree (validate.hpp), which
-  /// outlives the scene.
+  /// outlives the scene. Throws BadInput if there is more of anything than can be counted (see
+  /// PieceLimits, CreaseParts), or what `progress` throws.
   LineScene(const Octree& tree, const Surface& surface,
-            std::uint32_t level = static_cast<std::uint32_t>(-1));
+            std::uint32_t level = static_cast<std::uint32_t>(-1),
+            const ProgressShare& progress = {});
 
   /// The same of another level, of which the tree has got more nodes by now. If it is the next one,
-  /// the pieces of leaves are kept, whose finding takes most of the time.
-  void go_on_to(const Surface& surface, std::uint32_t level);
+  /// the pieces of leaves are kept, whose finding takes most of the time. Throws as above; the
+  /// scene can only be destroyed then.
+  void go_on_to(const Surface& surface, std::uint32_t level, const ProgressShare& progress = {});
 
   const Octree& tree() const { return tree_; }
   std::uint32_t level() const { return pieces_.level(); }

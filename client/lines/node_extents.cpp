@@ -13,13 +13,24 @@ constexpr NodeBox kEmpty{{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfin
 class BoxFinder {
  public:
   BoxFinder(const Octree& tree, const LevelPieces& pieces, std::span<const Crease> creases,
-            const CreaseParts& parts, std::vector<std::vector<NodeBox>>& boxes)
-      : tree_(tree), pieces_(pieces), creases_(creases), parts_(parts), boxes_(boxes) {}
+            const CreaseParts& parts, const ProgressShare& progress,
+            std::vector<std::vector<NodeBox>>& boxes)
+      : tree_(tree),
+        pieces_(pieces),
+        creases_(creases),
+        parts_(parts),
+        progress_(progress),
+        boxes_(boxes) {
+    std::size_t nodes = 0;
+    for (const auto& level : boxes) nodes += level.size();
+    per_node_ = per_item(nodes);
+  }
 
   const NodeBox& visit(const NodeAddress& node) {
     const Level& level = tree_.levels[node.level];
     NodeBox& box = boxes_[node.level][node.index];
     box = kEmpty;
+    progress_.add(per_node_);
     if (level.kinds[node.index] == NodeKind::Grey && node.level < pieces_.level()) {
       for (std::uint32_t octant = 0; octant < 8; ++octant) {
         const NodeBox& child = visit(node.child(level.first_child[node.index], octant));
@@ -63,16 +74,19 @@ class BoxFinder {
   const LevelPieces& pieces_;
   const std::span<const Crease> creases_;
   const CreaseParts& parts_;
+  ProgressCounter progress_;
+  double per_node_ = 0;
   std::vector<std::vector<NodeBox>>& boxes_;
 };
 
 }  // namespace
 
 NodeExtents::NodeExtents(const Octree& tree, const LevelPieces& pieces,
-                         std::span<const Crease> creases, const CreaseParts& parts) {
+                         std::span<const Crease> creases, const CreaseParts& parts,
+                         const ProgressShare& progress) {
   boxes_.resize(pieces.level() + 1);
   for (std::uint32_t k = 0; k <= pieces.level(); ++k) boxes_[k].resize(tree.levels[k].size());
-  BoxFinder(tree, pieces, creases, parts, boxes_).visit({});
+  BoxFinder(tree, pieces, creases, parts, progress, boxes_).visit({});
 }
 
 }  // namespace spoctree

@@ -18,9 +18,9 @@ struct NodeBox {
 /// Boxes around the pieces and the parts of creases in each node and below it.
 class NodeExtents {
  public:
-  /// O(nodes + corners of pieces + parts).
+  /// O(nodes + corners of pieces + parts). Throws what `progress` throws.
   NodeExtents(const Octree& tree, const LevelPieces& pieces, std::span<const Crease> creases,
-              const CreaseParts& parts);
+              const CreaseParts& parts, const ProgressShare& progress = {});
 
   /// REQUIRES: not empty.
   const NodeBox& of(const NodeAddress& node) const { return boxes_[node.level][node.index]; }

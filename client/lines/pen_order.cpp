@@ -121,7 +121,8 @@ class EndsLeft {
 
 }  // namespace
 
-VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera) {
+VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera,
+                          const ProgressShare& progress) {
   std::vector<Vec2> ends;
   ends.reserve(2 * lines.size());
   Vec2 pen{0.0};
@@ -134,6 +135,7 @@ VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera) {
   const auto layer_of = [](const VisibleLine& line) {
     return line.hidden ? 0 : (line.kind == LineKind::Crease ? 1 : 2);
   };
+  ProgressCounter counter(progress);
   VisibleLines result;
   result.reserve(lines.size());
   for (int layer = 0; layer < 3; ++layer) {
@@ -143,6 +145,7 @@ VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera) {
     }
     EndsLeft left(std::move(members), ends);
     while (!left.is_empty()) {
+      counter.add(per_item(lines.size()));
       const std::uint32_t end = left.nearest(pen);
       const VisibleLine& line = lines[end / 2];
       result.push_back(end % 2 == 1 ? reversed(line) : line);

@@ -151,7 +151,8 @@ Trace trace_of(Vec3 a, Vec3 b, const Camera& camera) {
 
 }  // namespace
 
-VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance) {
+VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance,
+                             const ProgressShare& progress) {
   if (lines.empty()) return {};
   std::vector<Trace> traces;
   traces.reserve(lines.size());
@@ -167,7 +168,9 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
   std::vector<Kept> kept;
   TraceGrid grid(traces, tolerance);
   std::vector<Interval> taken;
+  ProgressCounter counter(progress);
   for (const std::uint32_t k : in_order(lines, camera)) {
+    counter.add(per_item(lines.size()));
     const Trace& trace = traces[k];
     taken.clear();
     grid.visit_near(trace, [&](std::uint32_t item) {

@@ -17,6 +17,15 @@ namespace spoctree {
 
 namespace {
 
+/// The shares of the steps, where there are a million faces.
+constexpr double kChoosing = 0.04;
+constexpr double kLooking = 0.7;
+constexpr double kMerging = 0.03;
+constexpr double kMaking = 0.04;
+constexpr double kJoining = 0.07;
+constexpr double kComparing = 0.08;
+constexpr double kOrdering = 0.04;
+
 /// Parts of creases, each merged to as few as there are; what is shorter than `shortest`, gap or
 /// part, goes to its neighbours unless it is a whole crease.
 void merge_parts(std::vector<CreasePart>& parts, const Creases& creases, double shortest) {
@@ -143,7 +152,9 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   std::vector<LineKind> kinds(creases.creases.size());
   std::vector<std::uint32_t> wanted;                         // all that is drawn, if it is seen
   std::vector<bool> is_open(creases.creases.size(), false);  // not hidden by its own material
+  ProgressCounter choosing(options.progress.part(kChoosing));
   for (std::uint32_t k = 0; k < kinds.size(); ++k) {
+    choosing.add(per_item(kinds.size()));
     const Crease& crease = creases.creases[k];
     if (is_flat(crease, creases, planes)) continue;
     const bool is_seen = may_be_seen(crease, creases, planes, camera);
@@ -161,8 +172,10 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
 
   const Rectangle frame =
       options.frame ? *options.frame : extent_of_universe(scene.tree().universe, camera);
-  std::vector<CreasePart> seen = find_seen_parts(scene, is_open, camera, frame);
+  std::vector<CreasePart> seen =
+      find_seen_parts(scene, is_open, camera, frame, options.progress.part(kLooking));
   merge_parts(seen, creases, kShortestGlimpse * unit);
+  options.progress.add(kMerging);
   std::vector<CreasePart> hidden;
   if (options.with_hidden_lines) {
     hidden = rest_of(wanted, seen);
@@ -170,14 +183,20 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   }
   const LineMaker maker(scene, std::move(kinds));
   VisibleLines lines;
-  for (const CreasePart& part : seen) lines.push_back(maker.line_of(part, false));
-  for (const CreasePart& part : hidden) lines.push_back(maker.line_of(part, true));
+  ProgressCounter making(options.progress.part(kMaking));
+  const auto make = [&](const CreasePart& part, bool is_hidden) {
+    making.add(per_item(seen.size() + hidden.size()));
+    lines.push_back(maker.line_of(part, is_hidden));
+  };
+  for (const CreasePart& part : seen) make(part, false);
+  for (const CreasePart& part : hidden) make(part, true);
+  lines = join_lines(lines, kJoinTolerance * unit, options.progress.part(kJoining));
   lines =
-      remove_overlaps(join_lines(lines, kJoinTolerance * unit), camera, kOverlapTolerance * unit);
+      remove_overlaps(lines, camera, kOverlapTolerance * unit, options.progress.part(kComparing));
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });
-  lines = in_pen_order(lines, camera);
+  lines = in_pen_order(lines, camera, options.progress.part(kOrdering));
   find_sources(lines, scene.tree(), scene.level());
   return options.split_by_source ? split_by_source(lines) : lines;
 }

@@ -33,6 +33,8 @@ struct LineOptions {
   bool split_by_source = false;
   /// The part of the picture that is wanted; left out: the extent of the universe.
   std::optional<Rectangle> frame;
+  /// Told how much is done. What it throws is thrown on.
+  ProgressShare progress = {};
 };
 
 /// The lines of the scene's level as `camera` sees it, in the order in which a pen should draw
@@ -40,7 +42,8 @@ struct LineOptions {
 /// there are. Where lines lie one behind the other in the picture (views along faces), the nearest
 /// alone is drawn. Lines are exact up to kPictureTolerance in the picture; those shorter than
 /// kShortestLine there are left out. Same input, same lines. In one thread; time about linear in
-/// nodes and creases of the visible part. Throws UsageError if the angle is not in [0, 180].
+/// nodes and creases of the visible part. Throws UsageError if the angle is not in [0, 180], and
+/// BadInput if there is more of anything than can be counted.
 VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
                            const LineOptions& options = {});
 

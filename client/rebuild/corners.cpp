@@ -173,9 +173,10 @@ class CornerFinder {
  public:
   /// The parts begin at `first_level`, or deeper.
   CornerFinder(const Octree& tree, std::uint32_t first_level, std::uint32_t last_level,
-               const Carriers& carriers)
-      : tree_(tree), last_level_(last_level), carriers_(carriers) {
+               const Carriers& carriers, const ProgressShare& progress)
+      : tree_(tree), last_level_(last_level), carriers_(carriers), progress_(progress) {
     count_nodes(first_level);
+    for (std::uint32_t k = first_level; k <= last_level; ++k) node_count_ += tree.levels[k].size();
   }
 
   /// `parent_region` is that of all the parts, or null.
@@ -199,8 +200,13 @@ class CornerFinder {
         return;
       }
       PartWalker walker(tree_, last_level_, carriers_);
-      for (const Subtree& part : task) walker.walk(part, parent_region);
+      std::size_t nodes_done = 0;
+      for (const Subtree& part : task) {
+        walker.walk(part, parent_region);
+        nodes_done += nodes_of(part.root);
+      }
       found[i] = walker.take();
+      progress_.add(static_cast<double>(nodes_done) / static_cast<double>(node_count_));
     });
     Part all;
     for (Part& part : found) all.append(std::move(part));
@@ -251,16 +257,21 @@ class CornerFinder {
   const Octree& tree_;
   const std::uint32_t last_level_;
   const Carriers& carriers_;
+  const ProgressShare progress_;
+  std::size_t node_count_ = 0;
   std::vector<std::vector<std::uint32_t>> nodes_below_;  // by level and number of the GREY node
 };
 
 }  // namespace
 
-void LevelCorners::advance(const Octree& tree, std::uint32_t level, const Carriers& carriers) {
+void LevelCorners::advance(const Octree& tree, std::uint32_t level, const Carriers& carriers,
+                           const ProgressShare& progress) {
   if (level < level_count_) return;
   const std::uint32_t first_level = level_count_ == 0 ? 0 : level_count_ - 1;
-  Part found = CornerFinder(tree, first_level, level, carriers).find(frontier_, nullptr);
+  Part found =
+      CornerFinder(tree, first_level, level, carriers, progress.part(0.9)).find(frontier_, nullptr);
   sort_corners(found.settled, carriers.table_count());
+  progress.add(0.05);
   sort_corners(found.open, carriers.table_count());
   settled_ =
       settled_.empty() ? std::move(found.settled) : add_sorted_corners(settled_, found.settled);
@@ -268,6 +279,7 @@ void LevelCorners::advance(const Octree& tree, std::uint32_t level, const Carrie
   frontier_ = std::move(found.frontier);
   level_count_ = level + 1;
   cells_visited_ += found.cells_visited;
+  progress.add(0.05);
 }
 
 }  // namespace spoctree

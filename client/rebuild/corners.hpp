@@ -14,6 +14,7 @@
 
 #include "client/rebuild/carriers.hpp"
 #include "client/rebuild/sorted_corners.hpp"
+#include "common/base/progress_meter.hpp"
 #include "common/tree/node_address.hpp"
 
 namespace spoctree {
@@ -24,7 +25,8 @@ class LevelCorners {
   /// Goes on to T_level. REQUIRES: level < tree.levels.size(); the tree begins with the levels that
   /// were gone on to so far; the carriers have the planes of them and of the new ones. In parallel.
   /// O(nodes of the new levels + corners).
-  void advance(const Octree& tree, std::uint32_t level, const Carriers& carriers);
+  void advance(const Octree& tree, std::uint32_t level, const Carriers& carriers,
+               const ProgressShare& progress = {});
 
   /// The corners of T_level, each once, by their planes in ascending order.
   std::vector<CornerCount> corners() const { return add_sorted_corners(settled_, open_); }

@@ -16,6 +16,18 @@ namespace spoctree {
 
 namespace {
 
+/// The shares of the steps, where there are a million faces.
+constexpr double kGrowing = 0.03;
+constexpr double kFindingCorners = 0.7;
+constexpr double kAddingCorners = 0.02;
+constexpr double kFindingLineEnds = 0.04;
+constexpr double kSubdividing = 0.05;
+constexpr double kJoining = 0.01;
+constexpr double kSettling = 0.03;
+constexpr double kResolving = 0.02;
+constexpr double kBuildingFaces = 0.02;
+constexpr double kFindingEdges = 0.03;
+
 /// Renumbers the vertices in use, in order of appearance.
 void drop_unused_vertices(Surface& surface, std::span<const Vec3> positions) {
   constexpr auto kUnused = static_cast<std::uint32_t>(-1);
@@ -76,29 +88,47 @@ void find_edges(Surface& surface) {
 
 }  // namespace
 
-Surface SurfaceRebuilder::rebuild(const Octree& tree, std::uint32_t level) {
-  advance(tree, static_cast<std::uint32_t>(std::min<std::size_t>(level, tree.levels.size() - 1)));
+Surface SurfaceRebuilder::rebuild(const Octree& tree, std::uint32_t level,
+                                  const ProgressShare& progress) {
+  advance(tree, static_cast<std::uint32_t>(std::min<std::size_t>(level, tree.levels.size() - 1)),
+          progress);
   VertexWelder welder(kWeldTolerance * 2 * std::sqrt(3.0) * tree.universe.half_side);
-  std::vector<LineEnd> ends = find_line_ends(corners_.corners(), carriers_, welder);
+  std::vector<CornerCount> corners = corners_.corners();
+  progress.add(kAddingCorners);
+  std::vector<LineEnd> ends = find_line_ends(corners, carriers_, welder);
+  corners = {};
+  progress.add(kFindingLineEnds);
   Chain chain = subdivide_lines(ends, carriers_.count(), welder.vertices());
+  progress.add(kSubdividing);
+  ends = {};
   join_straight_edges(chain, welder.vertices().size());
+  progress.add(kJoining);
+  settle(chain, welder, progress);
+  Surface surface;
+  build_faces(chain, carriers_, sides_.of(carriers_), welder.vertices(), surface);
+  progress.add(kBuildingFaces);
+  drop_unused_vertices(surface, welder.vertices());
+  find_edges(surface);
+  progress.add(kFindingEdges);
+  return surface;
+}
+
+void SurfaceRebuilder::settle(Chain& chain, VertexWelder& welder, const ProgressShare& progress) {
   // Each may leave work for the other; in practice the second round finds nothing.
   constexpr int kMaxRounds = 4;
   for (int round = 0; round < kMaxRounds; ++round) {
     const bool merged = settle_vertices(chain, carriers_, welder);
+    progress.add(kSettling);
     if (round > 0 && !merged) break;
     const bool cut = resolve_contacts(chain, carriers_, welder);
+    progress.add(kResolving);
     if (!merged && !cut) break;
     join_straight_edges(chain, welder.vertices().size());
   }
-  Surface surface;
-  build_faces(chain, carriers_, sides_.of(carriers_), welder.vertices(), surface);
-  drop_unused_vertices(surface, welder.vertices());
-  find_edges(surface);
-  return surface;
 }
 
-void SurfaceRebuilder::advance(const Octree& tree, std::uint32_t level) {
+void SurfaceRebuilder::advance(const Octree& tree, std::uint32_t level,
+                               const ProgressShare& progress) {
   if (level + 1 < level_count_) throw std::logic_error("rebuild: a level that has gone by");
   const std::uint32_t first = level_count_;
   for (; level_count_ <= level; ++level_count_) {
@@ -108,7 +138,8 @@ void SurfaceRebuilder::advance(const Octree& tree, std::uint32_t level) {
   }
   carriers_.grow(tree, plane_count_);
   for (std::uint32_t k = first; k <= level; ++k) sides_.add(tree.levels[k], carriers_);
-  corners_.advance(tree, level, carriers_);
+  progress.add(kGrowing);
+  corners_.advance(tree, level, carriers_, progress.part(kFindingCorners));
 }
 
 }  // namespace spoctree

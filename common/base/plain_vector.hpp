@@ -67,10 +67,26 @@ class PlainVector {
     data_[size_++] = value;
   }
   void pop_back() { --size_; }
+  /// Appends some that are stored elsewhere.
+  void append(const T* items, std::size_t count) {
+    if (count == 0) return;
+    const std::size_t before = size_;
+    resize_unset(before + count);
+    std::memcpy(static_cast<void*>(data_ + before), items, count * sizeof(T));
+  }
+  /// Gives storage back that is not in use. Most often nothing is moved.
+  void shrink_to_fit() {
+    if (size_ == 0) {
+      std::free(std::exchange(data_, nullptr));
+      capacity_ = 0;
+    } else if (size_ < capacity_) {
+      reallocate(size_);
+    }
+  }
 
  private:
-  void grow(std::size_t wanted) {
-    const std::size_t capacity = std::max<std::size_t>({wanted, 2 * capacity_, 16});
+  void grow(std::size_t wanted) { reallocate(std::max<std::size_t>({wanted, 2 * capacity_, 16})); }
+  void reallocate(std::size_t capacity) {
     void* const data = std::realloc(static_cast<void*>(data_), capacity * sizeof(T));
     if (data == nullptr) throw std::bad_alloc();
     data_ = static_cast<T*>(data);

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 
 namespace spoctree {
 
-/// Called with the fraction of some work that is done. May be empty.
+/// Called with the fraction of some work that is done. May be empty. What it throws ends the work:
+/// so long work is cancelled.
 using ProgressReport = std::function<void(double fraction)>;
 
 /// Adds up shares of some work, and reports the sum at most a thousand times: by one thread at a
@@ -18,7 +20,7 @@ class ProgressMeter {
   /// REQUIRES: `report` outlives this.
   explicit ProgressMeter(const ProgressReport& report) : report_(report) {}
 
-  /// Thread-safe, and cheap where nothing is to be reported.
+  /// Thread-safe, and cheap where nothing is to be reported. Throws what the report throws.
   void add(double share);
 
  private:
@@ -27,5 +29,56 @@ class ProgressMeter {
   std::atomic<double> next_ = 0;  ///< nothing is reported before this much is done
   std::mutex reporting_;
 };
+
+/// A share of the work that a meter adds up, handed down to who does it. Without a meter, nobody
+/// wants to know.
+class ProgressShare {
+ public:
+  ProgressShare() = default;
+  /// REQUIRES: `meter` outlives this.
+  explicit ProgressShare(ProgressMeter& meter, double share = 1) : meter_(&meter), share_(share) {}
+
+  /// A share of this share.
+  ProgressShare part(double fraction) const {
+    ProgressShare part = *this;
+    part.share_ *= fraction;
+    return part;
+  }
+  /// As much more of it is done. Thread-safe; throws what the meter's report throws.
+  void add(double fraction = 1) const {
+    if (meter_ != nullptr) meter_->add(fraction * share_);
+  }
+
+ private:
+  ProgressMeter* meter_ = nullptr;
+  double share_ = 0;
+};
+
+/// For inner loops, one in each thread: tells every thousandth time or so.
+class ProgressCounter {
+ public:
+  explicit ProgressCounter(const ProgressShare& share) : share_(share) {}
+
+  /// As much more of the share is done. Throws what the meter's report throws.
+  void add(double fraction) {
+    waiting_ += fraction;
+    if (++times_ < kTimes) return;
+    share_.add(waiting_);
+    waiting_ = 0;
+    times_ = 0;
+  }
+
+ private:
+  static constexpr int kTimes = 1024;
+
+  ProgressShare share_;
+  double waiting_ = 0;
+  int times_ = 0;
+};
+
+/// What each of so many items adds.
+inline double per_item(std::size_t items) {
+  return items == 0 ? 0 : 1 / static_cast<double>(items);
+}
 
 }  // namespace spoctree
