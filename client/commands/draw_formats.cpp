@@ -1,6 +1,7 @@
 #include "client/commands/draw_formats.hpp"
 
 #include <filesystem>
+#include <system_error>
 
 #include "client/draw/write_dxf.hpp"
 #include "client/draw/write_hpgl.hpp"
@@ -23,6 +24,19 @@ constexpr FormatName kFormats[] = {{"svg", DrawFormat::Svg},   {"pdf", DrawForma
                                    {"hpgl", DrawFormat::Hpgl}, {"json", DrawFormat::Json},
                                    {"plt", DrawFormat::Hpgl}};
 constexpr double kDefaultDpi = 200;
+
+/// Of a file's name, without its point and in small letters; empty for folders.
+std::string extension_in(const std::string& output) {
+  std::error_code error;
+  if (std::filesystem::is_directory(output, error)) return "";
+  std::string extension = std::filesystem::path(output).extension().string();
+  if (extension.size() <= 1) return "";
+  extension.erase(0, 1);
+  for (char& c : extension) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return extension;
+}
 
 /// What a format has room for.
 LineData data_of(DrawFormat format) {
@@ -52,12 +66,15 @@ std::string extension_of(DrawFormat format) {
 }
 
 DrawFormat choose_format(const DrawArguments& arguments) {
-  const std::string extension = std::filesystem::path(arguments.output).extension().string();
+  const std::string wanted =
+      arguments.format.empty() ? extension_in(arguments.output) : arguments.format;
+  if (wanted.empty()) return DrawFormat::Svg;
   for (const FormatName& known : kFormats) {
-    if (arguments.format == known.name) return known.format;
-    if (arguments.format.empty() && extension == std::string(".") + known.name) return known.format;
+    if (wanted == known.name) return known.format;
   }
-  if (arguments.format.empty()) return DrawFormat::Svg;
+  if (arguments.format.empty())
+    throw UsageError("'" + arguments.output + "': there is no format '" + wanted +
+                     "'; --format says which one it should be");
   throw UsageError("--format: '" + arguments.format +
                    "' should be svg, pdf, png, dxf, hpgl or json");
 }
@@ -67,10 +84,14 @@ void check(const DrawArguments& arguments) {
     throw UsageError("-o or --html is required");
   if (!arguments.html.empty() && arguments.html == arguments.output)
     throw UsageError("-o and --html name the same file");
+  if (arguments.output.empty() && !arguments.format.empty())
+    throw UsageError("--format is for -o; what --html writes is always HTML");
   check(arguments.view);
   const DrawFormat format = choose_format(arguments);
   if (!(arguments.crease_angle_deg >= 0 && arguments.crease_angle_deg <= 180))
     throw UsageError("--crease-angle must be between 0 and 180 degrees");
+  if (arguments.crease_angle_deg > 0 && !arguments.with_creases && !arguments.with_steps)
+    throw UsageError("--crease-angle chooses creases, of which --lines wants none");
   if (arguments.colour_by_kind && arguments.view.stereo == ViewOptions::Stereo::Anaglyph)
     throw UsageError("--stereo=anaglyph needs the colours that --colour-by kind would use");
   check_page(arguments, format);
@@ -88,6 +109,7 @@ Drawing sheet_of(const LevelPictures& level, const DrawArguments& arguments, Dra
     options.page.scale = 1;
     options.page.margin_mm = 0;
   }
+  if (format == DrawFormat::Dxf) options.page.least_mm = 0;
   return make_sheet(level.pictures, level.universe, options);
 }
 

@@ -15,8 +15,8 @@ enum class DrawFormat { Svg, Pdf, Png, Dxf, Hpgl, Json };
 /// ".svg", ...
 std::string extension_of(DrawFormat format);
 
-/// What `arguments.format` names, or else the extension of its output (also ".plt" for HPGL), or
-/// else SVG. Throws UsageError for a name that is no format's.
+/// What `arguments.format` names, or else the extension of its output (also ".plt" for HPGL, and
+/// in capitals), or SVG where it has none. Throws UsageError for a name that is no format's.
 DrawFormat choose_format(const DrawArguments& arguments);
 
 /// Throws UsageError if the arguments contradict each other or are out of range: whatever can be

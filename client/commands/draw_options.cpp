@@ -144,6 +144,14 @@ DrawOptions::DrawOptions(CLI::App& command, StreamOptions& stream)
       ->group(page);
   command.add_option("--dpi", texts.dpi, "for PNG: pixels per inch of the page; left out: 200")
       ->group(page);
+
+  // An empty text stands for an option that was left out: nobody may give one.
+  const CLI::Validator not_empty(
+      [](const std::string& text) { return text.empty() ? "a value is missing" : std::string(); },
+      "");
+  for (CLI::Option* option : command.get_options()) {
+    if (option->get_items_expected_max() > 0) option->check(not_empty);
+  }
 }
 
 DrawOptions::~DrawOptions() = default;

@@ -73,7 +73,10 @@ PageLayout lay_out(const PageContent& content, double model_scale, const PageOpt
   page.mm_per_unit = options.scale ? *options.scale * model_scale : largest;
   if (!(page.mm_per_unit > 0) || !std::isfinite(page.mm_per_unit))
     throw UsageError("the page has no room for a drawing");
-  const Vec2 size = content.pictures * page.mm_per_unit + content.rest_mm;
+  const Vec2 pictures = content.pictures * page.mm_per_unit;
+  if (std::max(pictures.x, pictures.y) < options.least_mm)
+    throw UsageError("the drawing would be smaller than 0.1 mm: choose a larger --scale or --page");
+  const Vec2 size = pictures + content.rest_mm;
   if (options.paper) {
     constexpr double kRounding = 1 + 1e-9;
     if (page.mm_per_unit > largest * kRounding)

@@ -26,6 +26,9 @@ struct PageOptions {
   /// Of a page without paper and scale: its longer side.
   double longest_mm = 200;
   double margin_mm = 5;
+  /// Pictures smaller than this are refused: formats round to a tenth of it or worse. 0 for one
+  /// that does not round.
+  double least_mm = 0.1;
 };
 
 inline constexpr double kLargestPageMm = 1e12;
@@ -49,7 +52,8 @@ struct PageLayout {
   Vec2 origin_mm{0.0};     ///< upper left corner of the content, which is centred
 };
 
-/// `model_scale` is the model units per picture unit. Throws UsageError if there is no room.
+/// `model_scale` is the model units per picture unit. Throws UsageError if there is no room, or
+/// nothing of the pictures could be seen.
 PageLayout lay_out(const PageContent& content, double model_scale, const PageOptions& options);
 
 }  // namespace spoctree

@@ -303,6 +303,42 @@ TEST_F(Client, DrawsSheetsPairsAndPerspectives) {
             std::string::npos);
 }
 
+TEST_F(Client, SaysWhyAPictureIsEmpty) {
+  const std::string spo = piece();
+  const auto complaint_of = [&](const Arguments& options) {
+    Arguments arguments = {"draw", spo, "-o", "-"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_client(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("</svg>"), std::string::npos);
+    return outcome.err;
+  };
+  EXPECT_EQ(complaint_of({"--eye", "0,-300,100"}), "");
+  // In the base plate, which is 120 x 70 mm and has no hole there; both eyes are.
+  for (const char* stereo : {"--bare", "--stereo"}) {
+    const std::string inside = complaint_of({"--eye", "50,40,5", stereo, "--hidden", "dashed"});
+    EXPECT_NE(inside.find("the eye is inside the solid"), std::string::npos) << inside;
+    EXPECT_EQ(count(inside, "\n"), 1U) << inside;
+  }
+  EXPECT_NE(complaint_of({"--eye", "50,40,5", "--level", "0"}).find("level 0"), std::string::npos);
+  EXPECT_NE(complaint_of({"--eye", "0,-300,0", "--target", "0,-600,0"}).find("empty"),
+            std::string::npos);
+  // The last level has no steps.
+  const std::string steps = complaint_of({"--lines", "step", "--view", "front,top"});
+  EXPECT_NE(steps.find("'front' is empty"), std::string::npos) << steps;
+  EXPECT_NE(steps.find("'top' is empty"), std::string::npos) << steps;
+}
+
+TEST_F(Client, KnowsFormatsByExtensionsInCapitals) {
+  const std::string out = folder_.file("OUT.PDF");
+  EXPECT_EQ(run_client({"draw", piece(), "-o", out}).code, 0);
+  EXPECT_EQ(read_file(out).substr(0, 5), "%PDF-");
+}
+
+TEST_F(Client, DrawsATinyScaleIntoDxf) {
+  EXPECT_EQ(run_client({"draw", piece(), "-o", "-", "--format", "dxf", "--scale", "1e-9"}).code, 0);
+}
+
 TEST_F(Client, RebuildsAMeshThatTheServerReads) {
   const Outcome outcome = run_client({"rebuild", piece(), "-o", folder_.file("rebuilt.off")});
   EXPECT_EQ(outcome.code, 0) << outcome.err;
@@ -420,50 +456,62 @@ TEST_F(Client, HasAnExitCodeForEveryFailure) {
     Arguments arguments;
     int code;
   };
-  for (const Case& c :
-       std::vector<Case>{{{}, 2},
-                         {{"draw", spo}, 2},
-                         {{"draw", spo, "-o", out, "--level", "two"}, 2},
-                         {{"draw", spo, "-o", out, "--level", "all"}, 2},
-                         {{"draw", spo, "-o", "-", "--level", "all"}, 2},
-                         {{"draw", spo, "-o", out, "--from", "1,2"}, 2},
-                         {{"draw", spo, "-o", out, "--from", "0,0,0"}, 2},
-                         {{"draw", spo, "-o", out, "--crease-angle", "200"}, 2},
-                         {{"draw", spo, "-o", out, "--format", "bmp"}, 2},
-                         {{"draw", spo, "-o", out, "--crease-angle", "nan"}, 2},
-                         {{"draw", spo, "-o", out, "--html", out}, 2},
-                         {{"draw", spo, "-o", out, "--view", "front,side"}, 2},
-                         {{"draw", spo, "-o", out, "--view", "front", "--from", "1,0,0"}, 2},
-                         {{"draw", spo, "-o", out, "--from", "1,0,0", "--eye", "9,9,9"}, 2},
-                         {{"draw", spo, "-o", out, "--target", "1,0,0"}, 2},
-                         {{"draw", spo, "-o", out, "--fov", "60"}, 2},
-                         {{"draw", spo, "-o", out, "--eye", "0,-300,inf"}, 2},
-                         {{"draw", spo, "-o", out, "--eye", "0,-300,0", "--fov", "wide"}, 2},
-                         {{"draw", spo, "-o", out, "--stereo=cross"}, 2},
-                         {{"draw", spo, "-o", out, "--stereo", "--view", "top,iso"}, 2},
-                         {{"draw", spo, "-o", out, "--stereo", "--eye-separation", "0"}, 2},
-                         {{"draw", spo, "-o", out, "--eye-separation", "0.1"}, 2},
-                         {{"draw", spo, "-o", out, "--scale", "1:0"}, 2},
-                         {{"draw", spo, "-o", out, "--scale", "100", "--page", "A4"}, 2},
-                         {{"draw", spo, "-o", out, "--page", "letter"}, 2},
-                         {{"draw", spo, "-o", out, "--dpi", "100"}, 2},
-                         {{"draw", spo, "-o", out, "--lines", "silhouette,"}, 2},
-                         {{"draw", spo, "-o", out, "--hidden", "grey"}, 2},
-                         {{"draw", spo, "-o", out, "--colour-by", "level"}, 2},
-                         {{"draw", spo, "-o", "-", "--format", "json", "--scale", "2"}, 2},
-                         {{"draw", spo, "-o", "-", "--format", "png", "--dpi", "5"}, 2},
-                         {{"levels", spo, "--json", "--csv"}, 2},
-                         {{"levels", spo, "--rate", "0"}, 2},
-                         {{"levels", "http://127.0.0.1/x"}, 2},
-                         {{"levels", "spo://127.0.0.1:70000/x"}, 2},
-                         {{"list", spo}, 2},
-                         {{"fetch", spo, "-o", "-"}, 2},
-                         {{"levels", folder_.file("absent.spo")}, 3},
-                         {{"levels", put("damaged.spo", damaged)}, 3},
-                         {{"levels", put("mesh.off", off_of("cube"))}, 3},
-                         {{"draw", spo, "-o", folder_.file("no/such/folder.svg")}, 3},
-                         {{"list", "spo://127.0.0.1:1"}, 4},
-                         {{"levels", "spo://127.0.0.1:1/x"}, 4}}) {
+  for (const Case& c : std::vector<Case>{
+           {{}, 2},
+           {{"draw", spo}, 2},
+           {{"draw", spo, "-o", out, "--level", "two"}, 2},
+           {{"draw", spo, "-o", out, "--level", "all"}, 2},
+           {{"draw", spo, "-o", "-", "--level", "all"}, 2},
+           {{"draw", spo, "-o", out, "--from", "1,2"}, 2},
+           {{"draw", spo, "-o", out, "--from", "0,0,0"}, 2},
+           {{"draw", spo, "-o", out, "--crease-angle", "200"}, 2},
+           {{"draw", spo, "-o", out, "--format", "bmp"}, 2},
+           {{"draw", spo, "-o", folder_.file("out.jpg")}, 2},
+           {{"draw", spo, "--html", out, "--format", "svg"}, 2},
+           {{"draw", spo, "-o", ""}, 2},
+           {{"draw", spo, "-o", out, "--view", ""}, 2},
+           {{"draw", spo, "-o", out, "--from", ""}, 2},
+           {{"draw", spo, "-o", out, "--level", ""}, 2},
+           {{"draw", spo, "-o", out, "--view", "front,front"}, 2},
+           {{"draw", spo, "-o", out, "--view", "front,iso", "--projection", "third"}, 2},
+           {{"draw", spo, "-o", out, "--view", "front,top", "--projection", "2"}, 2},
+           {{"draw", spo, "-o", out, "--scale", "1e-9"}, 2},
+           {{"draw", spo, "-o", out, "--page", "10.01x10.01"}, 2},
+           {{"draw", spo, "-o", out, "--lines", "silhouette", "--crease-angle", "9"}, 2},
+           {{"draw", spo, "-o", out, "--crease-angle", "nan"}, 2},
+           {{"draw", spo, "-o", out, "--html", out}, 2},
+           {{"draw", spo, "-o", out, "--view", "front,side"}, 2},
+           {{"draw", spo, "-o", out, "--view", "front", "--from", "1,0,0"}, 2},
+           {{"draw", spo, "-o", out, "--from", "1,0,0", "--eye", "9,9,9"}, 2},
+           {{"draw", spo, "-o", out, "--target", "1,0,0"}, 2},
+           {{"draw", spo, "-o", out, "--fov", "60"}, 2},
+           {{"draw", spo, "-o", out, "--eye", "0,-300,inf"}, 2},
+           {{"draw", spo, "-o", out, "--eye", "0,-300,0", "--fov", "wide"}, 2},
+           {{"draw", spo, "-o", out, "--stereo=cross"}, 2},
+           {{"draw", spo, "-o", out, "--stereo", "--view", "top,iso"}, 2},
+           {{"draw", spo, "-o", out, "--stereo", "--eye-separation", "0"}, 2},
+           {{"draw", spo, "-o", out, "--eye-separation", "0.1"}, 2},
+           {{"draw", spo, "-o", out, "--scale", "1:0"}, 2},
+           {{"draw", spo, "-o", out, "--scale", "100", "--page", "A4"}, 2},
+           {{"draw", spo, "-o", out, "--page", "letter"}, 2},
+           {{"draw", spo, "-o", out, "--dpi", "100"}, 2},
+           {{"draw", spo, "-o", out, "--lines", "silhouette,"}, 2},
+           {{"draw", spo, "-o", out, "--hidden", "grey"}, 2},
+           {{"draw", spo, "-o", out, "--colour-by", "level"}, 2},
+           {{"draw", spo, "-o", "-", "--format", "json", "--scale", "2"}, 2},
+           {{"draw", spo, "-o", "-", "--format", "png", "--dpi", "5"}, 2},
+           {{"levels", spo, "--json", "--csv"}, 2},
+           {{"levels", spo, "--rate", "0"}, 2},
+           {{"levels", "http://127.0.0.1/x"}, 2},
+           {{"levels", "spo://127.0.0.1:70000/x"}, 2},
+           {{"list", spo}, 2},
+           {{"fetch", spo, "-o", "-"}, 2},
+           {{"levels", folder_.file("absent.spo")}, 3},
+           {{"levels", put("damaged.spo", damaged)}, 3},
+           {{"levels", put("mesh.off", off_of("cube"))}, 3},
+           {{"draw", spo, "-o", folder_.file("no/such/folder.svg")}, 3},
+           {{"list", "spo://127.0.0.1:1"}, 4},
+           {{"levels", "spo://127.0.0.1:1/x"}, 4}}) {
     const Outcome outcome = run_client(c.arguments);
     std::string words;
     for (const std::string& word : c.arguments) words += word + " ";

@@ -168,6 +168,17 @@ TEST(Sheet, RejectsAPageWithoutRoom) {
   EXPECT_NO_THROW(make_sheet({&square, 1}, Universe{}, too_large));
 }
 
+TEST(Sheet, RejectsAScaleThatLeavesNothingToSee) {
+  const Picture square = picture("", {0, 0, 1}, {{0, 0}, {1, 1}}, {});
+  SheetOptions tiny = options();
+  tiny.page.scale = 0.11;
+  EXPECT_NO_THROW(make_sheet({&square, 1}, Universe{}, tiny));
+  tiny.page.scale = 0.09;
+  EXPECT_THROW(make_sheet({&square, 1}, Universe{}, tiny), UsageError);
+  tiny.page.least_mm = 0;
+  EXPECT_NO_THROW(make_sheet({&square, 1}, Universe{}, tiny));
+}
+
 TEST(Page, ReadsScalesAndPapers) {
   EXPECT_DOUBLE_EQ(parse_scale("1:50"), 0.02);
   EXPECT_DOUBLE_EQ(parse_scale("2:1"), 2);

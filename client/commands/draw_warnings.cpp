@@ -1,0 +1,43 @@
+#include "client/commands/draw_warnings.hpp"
+
+#include <algorithm>
+
+#include "common/tree/classify.hpp"
+
+namespace spoctree {
+
+namespace {
+
+bool shows_nothing(const Picture& picture) {
+  return std::all_of(picture.lines.begin(), picture.lines.end(),
+                     [](const VisibleLine& line) { return line.hidden; });
+}
+
+std::string reason_of(const View& view, const Octree& tree, std::uint32_t level) {
+  const PointClass place = view.camera.is_perspective()
+                               ? classify_point(tree, view.camera.eye(), level)
+                               : PointClass::Out;
+  if (place == PointClass::In)
+    return "the eye is inside the solid, where nothing is to be seen: choose another --eye";
+  if (place == PointClass::Unknown)
+    return "the eye is where level " + std::to_string(level) +
+           " is not clear yet and may be full, so that nothing is to be seen: choose a later "
+           "--level or another --eye";
+  const std::string where = view.name.empty() ? "the picture" : "the view '" + view.name + "'";
+  return where + " is empty: no line that is wanted is in it";
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree) {
+  std::vector<std::string> warnings;
+  for (const Picture& picture : level.pictures) {
+    if (!shows_nothing(picture)) continue;
+    std::string warning = level.model + ": " + reason_of(picture.view, tree, level.level);
+    if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
+      warnings.push_back(std::move(warning));
+  }
+  return warnings;
+}
+
+}  // namespace spoctree

@@ -1,0 +1,17 @@
+// Drawn pictures -> what a user should be told of those with nothing in them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "client/commands/draw_formats.hpp"
+#include "common/tree/octree.hpp"
+
+namespace spoctree {
+
+/// A sentence for each picture without a visible line that says why: an eye inside the solid, or in
+/// a cell that is full only until later levels, sees nothing. Each sentence once. REQUIRES: `tree`
+/// has the level that was drawn.
+std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree);
+
+}  // namespace spoctree
