@@ -15,26 +15,35 @@
 
 namespace spoctree {
 
+/// Two planes that meet in a line.
+using PlanePair = std::array<PlaneRef, 2>;
+
 /// The pen goes down at the first of the points and up at the last.
 struct Stroke {
   std::uint32_t begin = 0;  ///< offsets into the group's points
   std::uint32_t end = 0;
-  std::optional<std::array<PlaneRef, 2>> planes;  ///< of the line, if the stroke is one
+  std::uint32_t planes_begin = 0;  ///< offsets into the group's planes
+  std::uint32_t planes_end = 0;
   /// Dashed pens: how far its beginning is into the dashes, which began with the first stroke of a
   /// chain.
   double dashes_before_mm = 0;
 };
 
-/// Strokes that have everything in common but their planes.
+/// Strokes that have everything in common but their planes. Where there are planes, each stroke is
+/// straight, and has a pair for each of its stretches, in order.
 struct StrokeGroup {
   Pen pen;
   /// Where the tree has the lines from; nothing if nobody asked, and for letters.
   std::optional<LineSource> source;
   std::vector<Vec2> points;
+  std::vector<PlanePair> planes;
   std::vector<Stroke> strokes;
 
   std::span<const Vec2> points_of(const Stroke& stroke) const {
     return {points.data() + stroke.begin, stroke.end - stroke.begin};
+  }
+  std::span<const PlanePair> planes_of(const Stroke& stroke) const {
+    return {planes.data() + stroke.planes_begin, stroke.planes_end - stroke.planes_begin};
   }
 };
 

@@ -203,22 +203,68 @@ class Dashes {
   double drawn_ = 0;
 };
 
+/// Lines that follow each other on one straight line of the picture, whatever their depths.
+struct Run {
+  std::span<const VisibleLine> lines;
+  Vec2 begin{0.0};
+  Vec2 end{0.0};
+  LineSource source;  ///< of the longest
+};
+
+/// The run that the first of the lines begins.
+Run first_run(std::span<const VisibleLine> lines, const View& view, const Placement& on_page) {
+  Run run;
+  double longest = -1;
+  std::size_t count = 0;
+  for (const VisibleLine& line : lines) {
+    const Vec2 begin = on_page(view.camera.project(line.a));
+    const Vec2 end = on_page(view.camera.project(line.b));
+    if (count == 0) {
+      run.begin = begin;
+    } else if (glm::distance(run.end, begin) > kTouchMm ||
+               !goes_straight_on(run.begin, run.end, end)) {
+      break;
+    }
+    run.end = end;
+    ++count;
+    if (glm::distance(begin, end) <= longest) continue;
+    longest = glm::distance(begin, end);
+    run.source = line.source;
+  }
+  run.lines = lines.first(count);
+  return run;
+}
+
+void add_planes(StrokeGroup& group, const Run& run) {
+  Stroke& stroke = group.strokes.back();
+  stroke.planes_begin = static_cast<std::uint32_t>(group.planes.size());
+  for (const VisibleLine& line : run.lines) {
+    for (const LineStretch& stretch : stretches_of(line)) {
+      const PlanePair pair = {stretch.planes[0], stretch.planes[1]};
+      const bool is_new = group.planes.size() == stroke.planes_begin || group.planes.back() != pair;
+      if (is_new) group.planes.push_back(pair);
+    }
+  }
+  stroke.planes_end = static_cast<std::uint32_t>(group.planes.size());
+}
+
 void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
                const Placement& on_page, LineData data) {
   Dashes dashes;
   const StrokeGroup* last_group = nullptr;
-  for (const VisibleLine& line : lines) {
+  for (std::span<const VisibleLine> left = lines; !left.empty();) {
+    const Run run = first_run(left, view, on_page);
+    left = left.subspan(run.lines.size());
     StrokeGroup& group =
-        groups.group(pen, data == LineData::None ? std::nullopt : std::optional(line.source));
-    const Vec2 ends[] = {on_page(view.camera.project(line.a)),
-                         on_page(view.camera.project(line.b))};
-    const double dashes_before = dashes.draw(ends[0], ends[1]);
+        groups.group(pen, data == LineData::None ? std::nullopt : std::optional(run.source));
+    const double dashes_before = dashes.draw(run.begin, run.end);
     // Dashes do not run on where the chain has been elsewhere in between.
-    const bool may_be_run = data != LineData::Planes && (!pen.hidden || last_group == &group);
+    const bool may_be_joined = data != LineData::Planes && (!pen.hidden || last_group == &group);
     last_group = &group;
-    if (may_be_run && extend_run(group, ends[0], ends[1])) continue;
+    if (may_be_joined && extend_run(group, run.begin, run.end)) continue;
+    const Vec2 ends[] = {run.begin, run.end};
     add_stroke(group, ends);
-    if (data == LineData::Planes) group.strokes.back().planes = {line.planes[0], line.planes[1]};
+    if (data == LineData::Planes) add_planes(group, run);
     if (pen.hidden) group.strokes.back().dashes_before_mm = dashes_before;
   }
 }

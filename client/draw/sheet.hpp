@@ -23,7 +23,7 @@ Picture make_picture(View view, const VisibleLines& lines);
 enum class LineData : std::uint8_t {
   None,    ///< strokes are runs of lines of one pen
   Source,  ///< and of one source
-  Planes   ///< each line is a stroke
+  Planes   ///< each straight line of the picture is a stroke
 };
 
 struct SheetOptions {
@@ -37,9 +37,9 @@ struct SheetOptions {
 
 /// Pictures in the cells of their views, or else side by side in reading order, in as many columns
 /// as rows or more, each above its name; frames of one column are centred, those of one row too, so
-/// that views from the sides of a solid have common axes. Lines of each pen are in a short
-/// pen order. In runs, lines that go straight on in the
-/// picture become one. Throws UsageError as `lay_out` does.
+/// that views from the sides of a solid have common axes. Lines of each pen are in a short pen
+/// order; those that go straight on in the picture become one, of the longest one's source.
+/// Throws UsageError as `lay_out` does.
 /// REQUIRES: at least one picture; the first one does not lie over another; all of those that do
 /// not have cells, each its own, or none has.
 /// O(n log n) in the lines.

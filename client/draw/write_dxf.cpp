@@ -12,6 +12,9 @@ namespace {
 /// AutoCAD's colour numbers. 7 is black on white and white on black.
 constexpr int kInkColours[kInkCount] = {7, 8, 94, 5, 2, 1, 6, 4, 1};
 
+/// An entity's extended data are at most 16 kilobytes.
+constexpr std::size_t kMostPlanePairs = 200;
+
 int colour_number(const Pen& pen) {
   if (pen.ink == Ink::Black && (pen.is_step || pen.hidden)) return pen.hidden ? 8 : 9;
   return kInkColours[static_cast<int>(pen.ink)];
@@ -143,14 +146,14 @@ class DxfWriter {
       entity("LINE", layer);
       point(points[0], 10);
       point(points[1], 11);
-      planes_of(stroke);
+      planes_of(group, stroke);
       return;
     }
     entity("POLYLINE", layer);
     pair(66, 1);  // vertices follow
     point({0, drawing_.height_mm}, 10);
     if (group.pen.hidden) pair(70, 128);  // dashes run on round the corners
-    planes_of(stroke);
+    planes_of(group, stroke);
     for (const Vec2 at : points) {
       entity("VERTEX", layer);
       point(at, 10);
@@ -161,10 +164,13 @@ class DxfWriter {
     pair(0, kind);
     pair(8, layer);
   }
-  void planes_of(const Stroke& stroke) {
-    if (!stroke.planes) return;
+  void planes_of(const StrokeGroup& group, const Stroke& stroke) {
+    const auto planes = group.planes_of(stroke);
+    if (planes.empty()) return;
     pair(1001, "SPOCTREE");
-    for (const PlaneRef plane : *stroke.planes) pair(1000, name_of(plane, drawing_.universe));
+    for (const PlanePair& both : planes.first(std::min(planes.size(), kMostPlanePairs))) {
+      for (const PlaneRef plane : both) pair(1000, name_of(plane, drawing_.universe));
+    }
   }
 
   const Drawing& drawing_;

@@ -82,10 +82,11 @@ void append_group_with_data(std::string& svg, const StrokeGroup& group, const Un
     std::string data;
     if (!append_stroke(data, group.points_of(stroke))) continue;
     paths += "<path";
-    if (stroke.planes) {
-      paths += " data-planes=\"" + name_of((*stroke.planes)[0], universe) + ' ' +
-               name_of((*stroke.planes)[1], universe) + '"';
-    }
+    std::string planes;
+    for (const PlanePair& pair : group.planes_of(stroke))
+      planes += (planes.empty() ? "" : ", ") + name_of(pair[0], universe) + ' ' +
+                name_of(pair[1], universe);
+    if (!planes.empty()) paths += " data-planes=\"" + planes + '"';
     paths += dash_offset(stroke) + " d=\"" + data + "\"/>\n";
   }
   if (paths.empty()) return;

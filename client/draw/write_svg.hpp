@@ -17,8 +17,8 @@ struct SvgOptions {
 /// The drawing as one svg element, in millimetres of the page rounded to hundredths; strokes that
 /// vanish by that are left out. Pens are classes ("crease", "silhouette", "caption"; "step",
 /// "hidden"; ink names), so that a style sheet can restyle them. Groups with a source are g
-/// elements with data-node and data-level; their paths, one per line, have data-planes: see
-/// `name_of`.
+/// elements with data-node and data-level; their paths, one per line, have data-planes, a pair for
+/// each stretch as in "7 12, 7 x=2.5": see `name_of`.
 std::string to_svg(const Drawing& drawing, const SvgOptions& options = {});
 
 /// The rules for all classes that pens can have.

@@ -162,18 +162,23 @@ TEST(Dashes, RunOnAlongATessellatedCircle) {
   }
 }
 
+// A staircase, whose treads and risers are of two sources.
 TEST(Dashes, RunOnWhereTheSourceChanges) {
   VisibleLines lines;
-  for (int k = 0; k < 10; ++k) {
-    lines.push_back(hidden_line({k, 0, 0}, {k + 1, 0, 0}));
-    lines.back().source = {k % 2 == 0 ? NodeKind::Convex : NodeKind::Concave, 2, false};
+  for (int k = 0; k < 5; ++k) {
+    lines.push_back(hidden_line({k, k, 0}, {k + 1, k, 0}));
+    lines.back().source = {NodeKind::Convex, 2, false};
+    lines.push_back(hidden_line({k + 1, k, 0}, {k + 1, k + 1, 0}));
+    lines.back().source = {NodeKind::Concave, 2, false};
   }
   const Drawing drawing = drawing_of(lines, LineData::Source);
   ASSERT_EQ(drawing.groups.size(), 2U);
   for (const StrokeGroup& group : drawing.groups) {
     ASSERT_EQ(group.strokes.size(), 5U);
-    for (const Stroke& stroke : group.strokes)
-      EXPECT_NEAR(stroke.dashes_before_mm, group.points_of(stroke)[0].x - 35, 1e-9);
+    for (const Stroke& stroke : group.strokes) {
+      const Vec2 from_start = group.points_of(stroke)[0] - Vec2{35, 35};
+      EXPECT_NEAR(stroke.dashes_before_mm, from_start.x - from_start.y, 1e-9);
+    }
   }
 }
 

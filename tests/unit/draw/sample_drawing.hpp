@@ -29,9 +29,12 @@ inline Drawing sample_drawing() {
   drawing.groups.push_back(group_of(hidden, {{{90, 60}, {90, 10}}}));
   StrokeGroup known = group_of({}, {{{1, 2}, {3.5, 4.25}}, {{10, 2}, {5, 2}}});
   known.source = LineSource{NodeKind::Convex, 3, false};
-  known.strokes[0].planes = {PlaneRef::of_table(7), PlaneRef::of_table(12).flipped()};
+  known.planes.push_back({PlaneRef::of_table(7), PlaneRef::of_table(12).flipped()});
   const PlaneRef middle = PlaneRef::of_wall(0, 1U << 29);
-  known.strokes[1].planes = {middle, PlaneRef::of_table(0)};
+  known.planes.push_back({middle, PlaneRef::of_table(0)});
+  known.planes.push_back({PlaneRef::of_table(3), PlaneRef::of_table(0)});
+  known.strokes[0].planes_end = known.strokes[1].planes_begin = 1;
+  known.strokes[1].planes_end = 3;
   drawing.groups.push_back(known);
   Pen silhouette;
   silhouette.use = PenUse::Silhouette;

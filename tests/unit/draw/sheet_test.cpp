@@ -104,8 +104,38 @@ TEST(Sheet, WithDataEveryLineIsAStrokeOfItsSource) {
   EXPECT_EQ(drawing.groups[0].pen.ink, Ink::Grey);
   EXPECT_EQ(drawing.groups[1].pen.ink, Ink::Red);
   EXPECT_EQ(drawing.groups[1].source, convex.source);
-  ASSERT_TRUE(drawing.groups[1].strokes[0].planes.has_value());
-  EXPECT_EQ((*drawing.groups[1].strokes[0].planes)[0], PlaneRef::of_table(5));
+  const auto planes = drawing.groups[1].planes_of(drawing.groups[1].strokes[0]);
+  ASSERT_EQ(planes.size(), 1U);
+  EXPECT_EQ(planes[0][0], PlaneRef::of_table(5));
+}
+
+// A draughtsman draws one line where edges at different depths go on behind each other.
+TEST(Sheet, WithDataAStraightLineOfThePictureIsAStrokeThatKnowsAllItsStretches) {
+  const auto pair = [](std::uint32_t a, std::uint32_t b) {
+    return PlanePair{PlaneRef::of_table(a), PlaneRef::of_table(b)};
+  };
+  VisibleLine near = line({0, 0, 5}, {1, 0, 5});
+  near.source = {NodeKind::Convex, 2, false};
+  near.planes[0] = pair(1, 2)[0];
+  near.planes[1] = pair(1, 2)[1];
+  VisibleLine far = line({1, 0, 0}, {3, 0, 0});
+  far.source = {NodeKind::Concave, 4, false};
+  far.stretches = {{0.5, far.source, {PlaneRef::of_table(1), PlaneRef::of_table(2)}},
+                   {1, far.source, {PlaneRef::of_table(3), PlaneRef::of_table(2)}}};
+  const VisibleLine corner = line({3, 0, 0}, {3, 1, 0});
+  const Picture top = picture("", {0, 0, 1}, {{0, 0}, {3, 1}}, {near, far, corner});
+  SheetOptions with_data = options();
+  with_data.data = LineData::Planes;
+  const Drawing drawing = make_sheet({&top, 1}, Universe{}, with_data);
+  std::size_t strokes = 0;
+  for (const StrokeGroup& group : drawing.groups) {
+    strokes += group.strokes.size();
+    if (group.source != far.source) continue;
+    ASSERT_EQ(group.strokes.size(), 1U);
+    const auto planes = group.planes_of(group.strokes[0]);
+    EXPECT_EQ(std::vector(planes.begin(), planes.end()), (std::vector{pair(1, 2), pair(3, 2)}));
+  }
+  EXPECT_EQ(strokes, 2U);
 }
 
 TEST(Sheet, PutsPicturesSideBySideAtOneScaleWithCaptions) {

@@ -53,7 +53,7 @@ TEST(Svg, HoldsTheSegmentsWithTheirClassesAndPlanes) {
                    {{30, 20}, {30, 45}, "silhouette"}},
                   1e-12);
   EXPECT_EQ(segments[1].data, "7 12");
-  EXPECT_EQ(segments[2].data, "x=2.5 0");
+  EXPECT_EQ(segments[2].data, "x=2.5 0, 3 0");
   EXPECT_NE(svg.find("data-node=\"convex\" data-level=\"3\""), std::string::npos);
 }
 
@@ -102,7 +102,7 @@ TEST(Dxf, HoldsTheSegmentsOnLayers) {
                    {{30, 42.5}, {30, 17.5}, "SILHOUETTE"}},
                   1e-9);
   EXPECT_EQ(segments[1].data, "7 12");
-  EXPECT_EQ(segments[2].data, "x=2.5 0");
+  EXPECT_EQ(segments[2].data, "x=2.5 0 3 0");
 }
 
 TEST(Dxf, DeclaresWhatItUses) {
