@@ -22,6 +22,8 @@ class CreaseParts::Distributor {
         result_(result),
         handed_down_(level + 1) {}
 
+  void finish() { progress_.tell(); }
+
   /// Empties `parts`. A share of `work` is done then.
   void visit(const NodeAddress& node, std::vector<CreasePart>& parts, double work) {
     if (parts.empty()) return;
@@ -120,7 +122,9 @@ CreaseParts::CreaseParts(const Octree& tree, std::uint32_t level, std::span<cons
   small_count(creases.size(), "creases", most);
   all.reserve(creases.size());
   for (std::uint32_t k = 0; k < creases.size(); ++k) all.push_back({k, {0, 1}});
-  Distributor(tree, level, creases, tolerance, progress, most, *this).visit({}, all, 1);
+  Distributor distributor(tree, level, creases, tolerance, progress, most, *this);
+  distributor.visit({}, all, 1);
+  distributor.finish();
 }
 
 }  // namespace spoctree

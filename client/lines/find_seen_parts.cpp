@@ -57,6 +57,7 @@ class Looker {
 
   std::vector<CreasePart> run() {
     visit({}, 1);
+    progress_.tell();
     return std::move(seen_);
   }
 

@@ -26,6 +26,8 @@ class BoxFinder {
     per_node_ = per_item(nodes);
   }
 
+  void finish() { progress_.tell(); }
+
   const NodeBox& visit(const NodeAddress& node) {
     const Level& level = tree_.levels[node.level];
     NodeBox& box = boxes_[node.level][node.index];
@@ -86,7 +88,9 @@ NodeExtents::NodeExtents(const Octree& tree, const LevelPieces& pieces,
                          const ProgressShare& progress) {
   boxes_.resize(pieces.level() + 1);
   for (std::uint32_t k = 0; k <= pieces.level(); ++k) boxes_[k].resize(tree.levels[k].size());
-  BoxFinder(tree, pieces, creases, parts, progress, boxes_).visit({});
+  BoxFinder finder(tree, pieces, creases, parts, progress, boxes_);
+  finder.visit({});
+  finder.finish();
 }
 
 }  // namespace spoctree

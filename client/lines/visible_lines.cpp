@@ -169,6 +169,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
     wanted.push_back(k);
     is_open[k] = is_seen;
   }
+  choosing.tell();
 
   const Rectangle frame =
       options.frame ? *options.frame : extent_of_universe(scene.tree().universe, camera);
@@ -190,6 +191,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   };
   for (const CreasePart& part : seen) make(part, false);
   for (const CreasePart& part : hidden) make(part, true);
+  making.tell();
   lines = join_lines(lines, kJoinTolerance * unit, options.progress.part(kJoining));
   lines =
       remove_overlaps(lines, camera, kOverlapTolerance * unit, options.progress.part(kComparing));

@@ -91,7 +91,8 @@ class LevelPieces::Collector : public PieceVisitor {
     }
   }
 
-  void shrink_to_fit() {
+  void finish() {
+    progress_.tell();
     for (Store* const store : {&settled.store, &frontier.store}) {
       store->corner_begin.shrink_to_fit();
       store->corners.shrink_to_fit();
@@ -266,7 +267,7 @@ void LevelPieces::go_on_to(const Octree& tree, std::uint32_t level, const Progre
     found.emplace_back(tree, limits_, progress, per_node);
   parallel_for(groups.size(), [&](std::size_t i) {
     for (const Subtree& subtree : groups[i]) walk_pieces(tree, options, subtree, found[i]);
-    found[i].shrink_to_fit();
+    found[i].finish();
   });
   for (const NodeAddress& node : frontier_nodes_) numbers_[node.level][node.index] = kNone;
   frontier_ = {};

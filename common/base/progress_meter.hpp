@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <mutex>
+#include <utility>
 
 namespace spoctree {
 
@@ -62,10 +63,13 @@ class ProgressCounter {
   /// As much more of the share is done. Throws what the meter's report throws.
   void add(double fraction) {
     waiting_ += fraction;
-    if (++times_ < kTimes) return;
-    share_.add(waiting_);
-    waiting_ = 0;
+    if (++times_ == kTimes) tell();
+  }
+  /// Tells at once, after the last one. Throws likewise.
+  void tell() {
+    const double told = std::exchange(waiting_, 0);
     times_ = 0;
+    share_.add(told);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "common/base/errors.hpp"
 #include "tests/support/random.hpp"
 
 namespace spoctree {
@@ -187,6 +188,21 @@ TEST(CoveredPicture, SurvivesThousandsOfNeedlesInOneTile) {
     cover(picture, {{x, -0.9}, {x + 1.8 / 5000, -0.9}, {x + 1.8 / 5000 + 1e-5, 0.9}, {x, 0.9}});
   }
   EXPECT_TRUE(uncovered(picture, {-0.8, -0.8}, {0.5, 0.8}).empty());
+}
+
+TEST(CoveredPicture, RefusesMoreOutlinesInTilesThanItsLimit) {
+  CoveredPicture picture({{-1, -1}, {1, 1}}, 1, 3);
+  // Each in the one tile, none covers it.
+  const auto cover_at = [&](double x) {
+    cover(picture, {{x, -0.5}, {x + 0.1, -0.5}, {x + 0.1, 0.5}, {x, 0.5}});
+  };
+  for (const double x : {-0.8, -0.4, 0.0}) cover_at(x);
+  try {
+    cover_at(0.4);
+    FAIL() << "too many are taken";
+  } catch (const BadInput& error) {
+    EXPECT_STREQ(error.what(), "more than 3 outlines in tiles of a picture");
+  }
 }
 
 }  // namespace

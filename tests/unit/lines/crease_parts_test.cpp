@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "common/base/errors.hpp"
 #include "tests/support/voxels.hpp"
 
 namespace spoctree {
@@ -50,6 +51,19 @@ TEST(CreaseParts, StandWithTheNodesOfTheLevelLookedAt) {
   ASSERT_EQ(parts.of({}).size(), 1u);
   EXPECT_EQ(parts.of({})[0].interval.begin, 0);
   EXPECT_EQ(parts.of({})[0].interval.end, 1);
+}
+
+TEST(CreaseParts, RefuseToBeMoreThanTheirLimit) {
+  const Octree tree = chequered();
+  // Along an edge of cells, 4 leaves touch each of 4 parts.
+  const Crease crease{{-tree.universe.half_side, 0, 0}, {tree.universe.half_side, 0, 0}};
+  EXPECT_NO_THROW(CreaseParts(tree, 9, {&crease, 1}, kTolerance, {}, 16));
+  try {
+    CreaseParts(tree, 9, {&crease, 1}, kTolerance, {}, 15);
+    FAIL() << "too many are taken";
+  } catch (const BadInput& error) {
+    EXPECT_STREQ(error.what(), "more than 15 parts of creases");
+  }
 }
 
 }  // namespace

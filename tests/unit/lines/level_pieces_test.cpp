@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "common/base/errors.hpp"
 #include "tests/support/degenerate_tree.hpp"
 #include "tests/support/sample_trees.hpp"
 
@@ -80,6 +81,41 @@ TEST(LevelPieces, BeginAnewAtAnyLevel) {
   expect_same(pieces, LevelPieces(tree, 0), tree);
   pieces.go_on_to(tree, 99);
   expect_same(pieces, LevelPieces(tree, 3), tree);
+}
+
+/// What making them complains of.
+std::string complaint(const Octree& tree, std::uint32_t level, const PieceLimits& limits) {
+  try {
+    const LevelPieces pieces(tree, level, {}, limits);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(LevelPieces, RefuseMoreThanTheirLimits) {
+  const Octree tree = random_tree(2, {.levels = 4, .max_nodes = 300});
+  const std::size_t leaves = LevelPieces(tree, 3).leaf_count();
+  ASSERT_GT(leaves, 1u);
+  EXPECT_EQ(complaint(tree, 3, {}), "");
+  EXPECT_EQ(complaint(tree, 3, {.leaves = leaves}), "");
+  EXPECT_EQ(complaint(tree, 3, {.leaves = leaves - 1}),
+            "more than " + std::to_string(leaves - 1) + " leaves with material");
+  // No polyhedron has fewer than four corners.
+  EXPECT_EQ(complaint(tree, 3, {.corners = 3}).substr(0, 27), "more than 3 corners of piec");
+  EXPECT_NE(complaint(tree, 3, {.corners = 0}), "");
+}
+
+TEST(LevelPieces, RefuseMoreThanTheirLimitsWhenTheyGoOn) {
+  const Octree tree = random_tree(2, {.levels = 4, .max_nodes = 300});
+  const std::size_t leaves = LevelPieces(tree, 2).leaf_count();
+  ASSERT_GT(LevelPieces(tree, 3).leaf_count(), leaves);
+  LevelPieces pieces(tree, 2, {}, {.leaves = leaves});
+  std::uint32_t level = 2;
+  const auto go_on = [&] {
+    while (++level < tree.levels.size()) pieces.go_on_to(tree, level);
+  };
+  EXPECT_THROW(go_on(), BadInput);
 }
 
 }  // namespace
