@@ -1,5 +1,5 @@
-// Lines -> chains of lines that meet end to end in the picture: dashes run on along a chain, as a
-// draughtsman draws them, instead of beginning anew at every edge of a curved face.
+// Lines -> chains of lines that meet end to end in the picture: the pen stays down, and dashes run
+// on as a draughtsman draws them, instead of beginning anew at every edge of a curved face.
 #pragma once
 
 #include "client/lines/camera.hpp"

@@ -8,7 +8,6 @@
 #include "client/draw/chain_lines.hpp"
 #include "client/draw/clip_lines.hpp"
 #include "client/draw/lettering.hpp"
-#include "client/lines/arrange_lines.hpp"
 
 namespace spoctree {
 
@@ -119,27 +118,15 @@ Pen pen_of(const VisibleLine& line, Ink ink, bool colour_by_kind) {
   return pen;
 }
 
-/// Lines come in pen order of their kind. Where a kind takes several pens, each needs its own.
-/// Dashed ones are in chains of lines that are not farther apart than `tolerance`, picture units.
+/// In chains of lines that are not farther apart than `tolerance`, picture units.
 std::vector<std::pair<Pen, VisibleLines>> lines_by_pen(const Picture& picture, bool colour_by_kind,
                                                        double tolerance) {
   std::map<Pen, VisibleLines> by_pen;
-  std::map<std::pair<bool, PenUse>, int> pens_of_kind;
-  for (const VisibleLine& line : picture.lines) {
-    const Pen pen = pen_of(line, picture.view.ink, colour_by_kind);
-    VisibleLines& lines = by_pen[pen];
-    if (lines.empty()) ++pens_of_kind[{pen.hidden, pen.use}];
-    lines.push_back(line);
-  }
+  for (const VisibleLine& line : picture.lines)
+    by_pen[pen_of(line, picture.view.ink, colour_by_kind)].push_back(line);
   std::vector<std::pair<Pen, VisibleLines>> result;
-  for (auto& [pen, lines] : by_pen) {
-    if (pen.hidden) {
-      lines = in_chains(lines, picture.view.camera, tolerance);
-    } else if (pens_of_kind[{pen.hidden, pen.use}] > 1) {
-      lines = in_pen_order(lines, picture.view.camera);
-    }
-    result.emplace_back(pen, std::move(lines));
-  }
+  for (const auto& [pen, lines] : by_pen)
+    result.emplace_back(pen, in_chains(lines, picture.view.camera, tolerance));
   return result;
 }
 

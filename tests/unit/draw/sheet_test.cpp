@@ -68,7 +68,7 @@ TEST(Sheet, TurnsNamedPaperToFitAndCentres) {
 TEST(Sheet, MakesOneStrokeOfLinesThatFollowEachOther) {
   const Picture top =
       picture("", {0, 0, 1}, {{0, 0}, {1, 1}},
-              {line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0}, {1, 1, 0}), line({0, 1, 0}, {0, 0, 0}),
+              {line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0}, {1, 1, 0}), line({0, 1, 0}, {0.5, 1, 0}),
                line({0, 0, 0}, {0.5, 0, 0}, LineKind::Silhouette)});
   const Drawing drawing = make_sheet({&top, 1}, Universe{}, options());
   ASSERT_EQ(drawing.groups.size(), 2U);
@@ -107,6 +107,22 @@ TEST(Sheet, WithDataEveryLineIsAStrokeOfItsSource) {
   const auto planes = drawing.groups[1].planes_of(drawing.groups[1].strokes[0]);
   ASSERT_EQ(planes.size(), 1U);
   EXPECT_EQ(planes[0][0], PlaneRef::of_table(5));
+}
+
+// Where a line ends at the middle of another one, that is still one line.
+TEST(Sheet, DoesNotTurnOffWhereALineGoesOn) {
+  const Picture top =
+      picture("", {0, 0, 1}, {{0, 0}, {2, 1}},
+              {line({0, 0, 0}, {1, 0, 0}), line({1, 0, 0}, {1, 1, 0}), line({1, 0, 1}, {2, 0, 1})});
+  for (const LineData data : {LineData::None, LineData::Source, LineData::Planes}) {
+    SheetOptions any = options();
+    any.data = data;
+    const Drawing drawing = make_sheet({&top, 1}, Universe{}, any);
+    ASSERT_EQ(drawing.groups.size(), 1U);
+    EXPECT_EQ(drawing.groups[0].strokes.size(), 2U);
+    for (const Stroke& stroke : drawing.groups[0].strokes)
+      EXPECT_EQ(drawing.groups[0].points_of(stroke).size(), 2U);
+  }
 }
 
 // A draughtsman draws one line where edges at different depths go on behind each other.
@@ -175,13 +191,13 @@ TEST(Sheet, CutsLinesOffAtTheFrame) {
 TEST(Sheet, CutsOffWhatIsBehindAnEye) {
   Picture inside = picture("", {0, 0, 1}, {{-1, -1}, {1, 1}}, {});
   inside.view.camera = Camera::perspective({0, 0, 0}, {0, 1, 0});
-  // From behind the eye to (1, 2, 0), which is seen half way to the right.
+  // From (1, 2, 0), which is seen half way to the right, to behind the eye.
   inside =
-      make_picture(inside.view, {line({1, -5, 0}, {1, 2, 0}), line({0.5, -1, 0}, {0.5, -9, 0})});
+      make_picture(inside.view, {line({1, 2, 0}, {1, -5, 0}), line({0.5, -1, 0}, {0.5, -9, 0})});
   const Drawing drawing = make_sheet({&inside, 1}, Universe{}, options(120, 10));
   ASSERT_EQ(drawing.groups[0].strokes.size(), 1U);
-  EXPECT_NEAR(drawing.groups[0].points[0].x, 110, 1e-6);
-  EXPECT_NEAR(drawing.groups[0].points[1].x, 60 + 25, 1e-6);
+  EXPECT_NEAR(drawing.groups[0].points[0].x, 60 + 25, 1e-6);
+  EXPECT_NEAR(drawing.groups[0].points[1].x, 110, 1e-6);
 }
 
 TEST(Sheet, RejectsAPageWithoutRoom) {
