@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <numbers>
 #include <set>
-
-#include "client/draw/cut_dashes.hpp"
+#include <utility>
 
 namespace spoctree {
 
@@ -46,7 +46,9 @@ int rank_in(const std::set<int>& used, int value) {
   return static_cast<int>(std::distance(used.begin(), used.find(value)));
 }
 
-constexpr double kSymbolGap = 0.5;  ///< of its height, between its two views
+// Fractions of the symbol's height.
+constexpr double kSymbolGap = 0.5;       ///< between its two views
+constexpr double kSymbolBeyond = 0.125;  ///< from a view to the end of its centre line
 
 }  // namespace
 
@@ -83,8 +85,9 @@ std::vector<std::vector<Vec2>> projection_symbol(Projection projection, Vec2 at,
   const double step = (1 + kSymbolGap) * height;
   // The cone's small end points to the left, and its other view shows that end.
   const bool is_first = projection == Projection::FirstAngle;
-  const Vec2 cone = at + Vec2{is_first ? 0 : step, large};  // the middle of its left side
-  const Vec2 middle = at + Vec2{large + (is_first ? step : 0), large};
+  const Vec2 left = at + Vec2{kSymbolBeyond * height, large};
+  const Vec2 cone = left + Vec2{is_first ? 0 : step, 0};  // the middle of its left side
+  const Vec2 middle = left + Vec2{large + (is_first ? step : 0), 0};
   std::vector<std::vector<Vec2>> strokes;
   strokes.push_back({cone + Vec2{0, -small}, cone + Vec2{height, -large},
                      cone + Vec2{height, large}, cone + Vec2{0, small}, cone + Vec2{0, -small}});
@@ -95,21 +98,23 @@ std::vector<std::vector<Vec2>> projection_symbol(Projection projection, Vec2 at,
       strokes.back().push_back(middle + radius * Vec2{std::cos(angle), std::sin(angle)});
     }
   }
-  const double beyond = 0.25 * kSymbolGap * height;
+  const double beyond = kSymbolBeyond * height;
   const Vec2 across{large + beyond, 0};
   const Vec2 upright{0, large};
   const std::vector<std::vector<Vec2>> center_lines = {
       {cone - Vec2{beyond, 0}, cone + Vec2{height + beyond, 0}},
       {middle - across, middle + across},
       {middle - upright, middle + upright}};
+  // A long dash, a dot, a long dash.
   for (const auto& line : center_lines) {
-    const double length = glm::distance(line[0], line[1]);
-    for (auto& dash : cut_dashes(line, 0, 0.4 * length, 0.1 * length))
-      strokes.push_back(std::move(dash));
+    for (const auto& [begin, end] : {std::pair(0.0, 0.4), {0.47, 0.53}, {0.6, 1.0}})
+      strokes.push_back({glm::mix(line[0], line[1], begin), glm::mix(line[0], line[1], end)});
   }
   return strokes;
 }
 
-double projection_symbol_width(double height) { return (2 + kSymbolGap) * height; }
+double projection_symbol_width(double height) {
+  return (2 + kSymbolGap + 2 * kSymbolBeyond) * height;
+}
 
 }  // namespace spoctree

@@ -142,7 +142,7 @@ TEST(ProjectionSymbol, IsAConeBesideItsSmallEnd) {
     for (const auto& stroke : strokes) {
       for (const Vec2 point : stroke) {
         EXPECT_TRUE(point.y >= 50 - 1e-9 && point.y <= 58 + 1e-9);
-        EXPECT_TRUE(point.x >= 100 - 1.01 && point.x <= 100 + projection_symbol_width(8) + 1.01);
+        EXPECT_TRUE(point.x >= 100 - 1e-9 && point.x <= 100 + projection_symbol_width(8) + 1e-9);
       }
     }
   }
