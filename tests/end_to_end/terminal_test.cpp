@@ -117,16 +117,63 @@ TEST_F(Terminal, CtrlCWhileRebuildingOrDrawingLeavesNothing) {
   write_file(spo, spo_of("wavy-sphere", 120));
   for (const std::string command : {"rebuild", "draw"}) {
     TemporaryFolder output;
-    TerminalProgram client(SPOCTREE_CLIENT_PROGRAM, {command, spo, "-o", output.file("out.off")});
+    const std::string name = command == "draw" ? "out.svg" : "out.off";
+    TerminalProgram client(SPOCTREE_CLIENT_PROGRAM, {command, spo, "-o", output.file(name)});
     ASSERT_TRUE(client.wait_for("ing level ")) << client.shown();
     client.press_ctrl_c();
     const int code = client.wait();
     if (code == 0) {  // done before the key was pressed
-      EXPECT_EQ(output.entries(), std::vector<std::string>{"out.off"});
+      EXPECT_EQ(output.entries(), std::vector<std::string>{name});
       continue;
     }
     EXPECT_EQ(code, -SIGINT);
     EXPECT_EQ(output.entries(), std::vector<std::string>{});
+  }
+}
+
+TEST_F(Terminal, ADrawingShowsItsStepHowFarItIsAndHowLongItTakes) {
+  const std::string spo = folder_.file("large.spo");
+  write_file(spo, spo_of("wavy-sphere", 120));
+  TerminalProgram client(SPOCTREE_CLIENT_PROGRAM, {"draw", spo, "-o", folder_.file("out.svg")});
+  EXPECT_EQ(client.wait(), 0) << client.shown();
+  const std::regex pattern(
+      "([a-z]+) level [0-9]+ +([0-9]+) %, ([0-9]+) s(, [0-9]+ s left)?\x1b\\[K");
+  std::vector<std::string> steps;
+  int last_percent = 0;
+  std::smatch match;
+  for (const std::string& line : lines_of(client.shown())) {
+    if (line.find("ing level ") == std::string::npos) continue;  // what is received
+    ASSERT_TRUE(std::regex_match(line, match, pattern)) << line;
+    if (steps.empty() || steps.back() != match[1]) steps.push_back(match[1]);
+    const int percent = std::stoi(match[2]);
+    EXPECT_GE(percent, last_percent);
+    EXPECT_LE(percent, 100);
+    last_percent = percent;
+  }
+  EXPECT_EQ(steps, (std::vector<std::string>{"rebuilding", "preparing", "drawing", "writing"}));
+}
+
+TEST_F(Terminal, CtrlCInAnyStepOfAPageKeepsTheLevelsBefore) {
+  const std::string spo = folder_.file("large.spo");
+  write_file(spo, spo_of("wavy-sphere", 120));
+  for (const std::string step : {"rebuilding", "preparing", "drawing"}) {
+    TemporaryFolder output;
+    TerminalProgram client(SPOCTREE_CLIENT_PROGRAM,
+                           {"draw", spo, "--html", output.file("out.html")});
+    ASSERT_TRUE(client.wait_for(step + " level 5")) << client.shown();
+    client.press_ctrl_c();
+    EXPECT_EQ(client.wait(), -SIGINT) << client.shown();
+    EXPECT_EQ(output.entries(), std::vector<std::string>{"out.html"}) << step;
+    const std::string page = read_file(output.file("out.html"));
+    EXPECT_TRUE(page.ends_with("</html>\n")) << step;
+    std::size_t levels = 0;
+    for (std::size_t at = page.find("<section>"); at != std::string::npos;
+         at = page.find("<section>", at + 1)) {
+      ++levels;
+    }
+    // Level 5 was done, perhaps, before the key was pressed; not many more.
+    EXPECT_GE(levels, 5U) << step;
+    EXPECT_LE(levels, 6U) << step;
   }
 }
 
