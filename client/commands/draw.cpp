@@ -10,6 +10,7 @@
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/surface_rebuilder.hpp"
 #include "common/base/errors.hpp"
+#include "common/base/give_back_memory.hpp"
 #include "common/base/interruption.hpp"
 #include "common/base/parallel.hpp"
 #include "common/wire/text.hpp"
@@ -91,6 +92,7 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
     const Surface surface =
         drawn.rebuilder.rebuild(tree, level.level, progress.begin("rebuilding", 4 * per_view));
     if (is_last) drawn.rebuilder = {};
+    give_back_memory();
     const ProgressShare preparing = progress.begin("preparing", 4 * per_view);
     if (drawn.scene) {
       drawn.scene->go_on_to(surface, level.level, preparing);
@@ -98,6 +100,7 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
       drawn.scene.emplace(tree, surface, level.level, preparing);
     }
   }
+  give_back_memory();
   const ProgressShare drawing =
       progress.begin("drawing", per_view * static_cast<double>(views.size()));
   parallel_for(views.size(), [&](std::size_t k) {
