@@ -28,18 +28,36 @@ class Order {
 #endif
 };
 
+/// Releases, or acquires, at the end of a scope: when something is thrown, too.
+class ReleaseAtEnd {
+ public:
+  explicit ReleaseAtEnd(Order& order) : order_(order) {}
+  ~ReleaseAtEnd() { order_.release(); }
+
+ private:
+  Order& order_;
+};
+class AcquireAtEnd {
+ public:
+  explicit AcquireAtEnd(Order& order) : order_(order) {}
+  ~AcquireAtEnd() { order_.acquire(); }
+
+ private:
+  Order& order_;
+};
+
 }  // namespace
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   Order begin;
   Order end;
   begin.release();
+  const AcquireAtEnd all_done(end);
   oneapi::tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
     begin.acquire();
+    const ReleaseAtEnd done(end);
     body(i);
-    end.release();
   });
-  end.acquire();
 }
 
 void parallel_invoke(const std::function<void()>& first, const std::function<void()>& second) {
@@ -47,12 +65,12 @@ void parallel_invoke(const std::function<void()>& first, const std::function<voi
   Order end;
   const auto call = [&](const std::function<void()>& body) {
     begin.acquire();
+    const ReleaseAtEnd done(end);
     body();
-    end.release();
   };
   begin.release();
+  const AcquireAtEnd all_done(end);
   oneapi::tbb::parallel_invoke([&] { call(first); }, [&] { call(second); });
-  end.acquire();
 }
 
 struct JobGroup::Group {
@@ -69,14 +87,14 @@ void JobGroup::start(std::function<void()> job) {
   group.begin.release();
   group.tasks.run([&group, job = std::move(job)] {
     group.begin.acquire();
+    const ReleaseAtEnd done(group.end);
     job();
-    group.end.release();
   });
 }
 
 void JobGroup::wait() {
+  const AcquireAtEnd all_done(group_->end);
   group_->tasks.wait();
-  group_->end.acquire();
 }
 
 }  // namespace spoctree
