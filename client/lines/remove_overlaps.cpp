@@ -6,6 +6,7 @@
 
 #include "client/lines/arrange_lines.hpp"
 #include "client/lines/view.hpp"
+#include "common/base/small_count.hpp"
 
 namespace spoctree {
 
@@ -42,6 +43,7 @@ class TraceGrid {
 
   void add(const Trace& trace, std::uint32_t item) {
     for_each_tile(trace, [&](std::size_t tile) {
+      small_count(entries_.size() + 1, "lines in tiles of a picture", kMostIn32Bits - 1);
       entries_.push_back({item, first_[tile]});
       first_[tile] = static_cast<std::uint32_t>(entries_.size() - 1);
     });

@@ -192,6 +192,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   for (const CreasePart& part : seen) make(part, false);
   for (const CreasePart& part : hidden) make(part, true);
   making.tell();
+  small_count(2 * lines.size(), "ends of lines", kMostIn32Bits - 1);
   lines = join_lines(lines, kJoinTolerance * unit, options.progress.part(kJoining));
   lines =
       remove_overlaps(lines, camera, kOverlapTolerance * unit, options.progress.part(kComparing));
