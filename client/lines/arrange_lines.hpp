@@ -22,7 +22,7 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
 /// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between
 /// them: hidden lines first, then creases, then silhouettes; within these always on to the nearest
 /// end of a line not drawn yet. Deterministic. About O(n log n).
-VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera,
+VisibleLines in_pen_order(VisibleLines lines, const Camera& camera,
                           const ProgressShare& progress = {});
 
 }  // namespace spoctree

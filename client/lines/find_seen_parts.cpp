@@ -76,7 +76,10 @@ class Looker {
     const bool is_leaf = kind != NodeKind::Grey || node.level == scene_.level();
     const LeafPieces* const pieces = is_leaf ? scene_.pieces().find(node) : nullptr;
     const auto parts = is_leaf ? scene_.parts().of(node) : std::span<const CreasePart>{};
-    if (scene_.extents().is_empty(node)) return;
+    if (scene_.extents().is_empty(node)) {
+      progress_.add(work);
+      return;
+    }
     const auto extent = extent_of_box(scene_.extents().of(node), camera_);
     if (extent && covered_.is_full(*extent)) {
       progress_.add(work);
@@ -93,20 +96,9 @@ class Looker {
       if (viewpoint_.xyz[axis] > viewpoint_.w * middle)
         nearest |= 1u << static_cast<unsigned>(axis);
     }
-    const double per_child = work * per_item(count_children(node));
     for (std::uint32_t i = 0; i < 8; ++i) {
-      visit(node.child(level.first_child[node.index], i ^ nearest), per_child);
+      visit(node.child(level.first_child[node.index], i ^ nearest), work / 8);
     }
-  }
-
-  /// Those that are not empty.
-  std::size_t count_children(const NodeAddress& node) const {
-    const std::uint32_t first = tree_.levels[node.level].first_child[node.index];
-    std::size_t count = 0;
-    for (std::uint32_t octant = 0; octant < 8; ++octant) {
-      if (!scene_.extents().is_empty(node.child(first, octant))) ++count;
-    }
-    return count;
   }
 
   void look_at_leaf(const NodeAddress& node, const LeafPieces* pieces,

@@ -208,6 +208,7 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance,
                         const ProgressShare& progress) {
   const std::vector<std::uint32_t> partners = find_partners(lines, tolerance, progress);
   VisibleLines result;
+  result.reserve(lines.size());
   Straightener straightener(lines, tolerance, result);
   std::vector<bool> done(lines.size(), false);
   const auto follow = [&](std::uint32_t end) {

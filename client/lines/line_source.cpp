@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <utility>
 #include <vector>
 
 #include "common/geometry/tolerances.hpp"
@@ -14,8 +12,6 @@ namespace spoctree {
 namespace {
 
 class SourceFinder {
-  static constexpr double kNone = std::numeric_limits<double>::infinity();
-
  public:
   SourceFinder(const Octree& tree, std::uint32_t level)
       : tree_(tree), planes_(tree.plane_set()), level_(level) {}
@@ -23,7 +19,6 @@ class SourceFinder {
   void run(VisibleLine& line) {
     found_.clear();
     way_ = line.b - line.a;
-    per_way_ = 1.0 / way_;
     double begin = 0;
     for (const LineStretch& stretch : line.stretches) {
       walk(line.a, begin, stretch);
@@ -46,10 +41,8 @@ class SourceFinder {
     // Most lines are near the one before: its path from the root is where to begin.
     const Vec3 first = start_ + begin * way_;
     const Vec3 last = start_ + stretch.end * way_;
-    while (path_.size() > 1 && !(is_in(path_.back(), first) && is_in(path_.back(), last))) {
-      path_.pop_back();
-    }
-    visit(begin, stretch.end, stretch);
+    while (depth_ > 0 && !(is_in(path_[depth_], first) && is_in(path_[depth_], last))) --depth_;
+    visit(begin, first, stretch.end, last, stretch);
   }
 
   /// As `visit` chooses octants.
@@ -65,41 +58,54 @@ class SourceFinder {
 
   double wall(std::uint32_t index) const { return wall_coordinate(planes_.half_side(), index); }
 
-  /// The part of a stretch from `begin` to `end`, which lies in the cube of the path's last node.
-  void visit(double begin, double end, const LineStretch& stretch) {
+  /// The part of a stretch from `begin` at `first` to `end` at `last`, which lies in the cube of
+  /// the path's last node.
+  void visit(double begin, Vec3 first, double end, Vec3 last, const LineStretch& stretch) {
     while (true) {
-      const NodeAddress node = path_.back();
+      const NodeAddress& node = path_[depth_];
       const Level& nodes = tree_.levels[node.level];
       if (nodes.kinds[node.index] != NodeKind::Grey || node.level == level_) {
         add(node, end, stretch);
         return;
       }
       Vec3 middle;
-      Vec3 borders{kNone};
       for (int axis = 0; axis < 3; ++axis) {
         middle[axis] = wall(node.lower[axis] + node.size() / 2);
-        const double at = (middle[axis] - start_[axis]) * per_way_[axis];
-        if (at > begin && at < end) borders[axis] = at;
       }
-      if (borders[0] > borders[1]) std::swap(borders[0], borders[1]);
-      if (borders[1] > borders[2]) std::swap(borders[1], borders[2]);
-      if (borders[0] > borders[1]) std::swap(borders[0], borders[1]);
-      const auto go_to_child_at = [&](double t) {
-        const Vec3 point = start_ + t * way_;
-        std::uint32_t octant = 0;
-        for (int axis = 0; axis < 3; ++axis) {
-          if (point[axis] > middle[axis]) octant |= 1u << static_cast<unsigned>(axis);
-        }
-        path_.resize(node.level + 1);
-        path_.push_back(node.child(nodes.first_child[node.index], octant));
-      };
-      for (int k = 0; k < 3 && borders[k] < kNone; ++k) {
-        go_to_child_at(0.5 * (begin + borders[k]));
-        visit(begin, borders[k], stretch);
-        begin = borders[k];
+      const std::uint32_t octant = octant_of(first, middle);
+      if (octant == octant_of(last, middle)) {
+        go_down(octant);
+        continue;
       }
-      go_to_child_at(0.5 * (begin + end));
+      // The part before the first wall that it crosses, then the rest.
+      double border = end;
+      for (int axis = 0; axis < 3; ++axis) {
+        const double at = (middle[axis] - start_[axis]) / way_[axis];
+        if (at > begin && at < border) border = at;
+      }
+      if (border == end) {
+        go_down(octant_of(start_ + 0.5 * (begin + end) * way_, middle));
+        continue;
+      }
+      const std::uint32_t depth = depth_;
+      const Vec3 at_border = start_ + border * way_;
+      go_down(octant_of(start_ + 0.5 * (begin + border) * way_, middle));
+      visit(begin, first, border, at_border, stretch);
+      depth_ = depth;
+      begin = border;
+      first = at_border;
     }
+  }
+
+  static std::uint32_t octant_of(Vec3 point, Vec3 middle) {
+    return (point.x > middle.x ? 1u : 0u) | (point.y > middle.y ? 2u : 0u) |
+           (point.z > middle.z ? 4u : 0u);
+  }
+
+  void go_down(std::uint32_t octant) {
+    const NodeAddress& node = path_[depth_];
+    path_[depth_ + 1] = node.child(tree_.levels[node.level].first_child[node.index], octant);
+    ++depth_;
   }
 
   void add(const NodeAddress& node, double end, const LineStretch& stretch) {
@@ -137,9 +143,9 @@ class SourceFinder {
   const std::uint32_t level_;
   Vec3 start_{0.0};
   Vec3 way_{0.0};
-  Vec3 per_way_{0.0};
   std::vector<LineStretch> found_;
-  std::vector<NodeAddress> path_{NodeAddress{}};  // from the root to the node at hand
+  NodeAddress path_[kMaxDepth + 1];  // from the root to the node at hand
+  std::uint32_t depth_ = 0;
 };
 
 }  // namespace

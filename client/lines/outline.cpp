@@ -6,24 +6,25 @@ namespace spoctree {
 
 void find_outline(std::vector<Vec2>& points, std::vector<Vec2>& outline) {
   // Andrew's monotone chain: the lower side from left to right, then the upper one back.
-  outline.clear();
   std::sort(points.begin(), points.end(),
             [](Vec2 p, Vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
   const auto is_right_turn = [](Vec2 p, Vec2 q, Vec2 r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) <= 0;
   };
+  outline.resize(2 * points.size());
+  Vec2* const corners = outline.data();
+  std::size_t count = 0;
   const auto append = [&](Vec2 point, std::size_t first) {
-    while (outline.size() >= first + 2 &&
-           is_right_turn(outline[outline.size() - 2], outline.back(), point)) {
-      outline.pop_back();
+    while (count >= first + 2 && is_right_turn(corners[count - 2], corners[count - 1], point)) {
+      --count;
     }
-    outline.push_back(point);
+    corners[count++] = point;
   };
   for (const Vec2 point : points) append(point, 0);
-  const std::size_t right_end = outline.size() - 1;
+  const std::size_t right_end = count - 1;
   for (std::size_t k = points.size() - 1; k-- > 0;) append(points[k], right_end);
-  outline.pop_back();
-  if (outline.size() < 3) outline.clear();
+  // The last one is the first one again.
+  outline.resize(count > 3 ? count - 1 : 0);
 }
 
 }  // namespace spoctree

@@ -121,8 +121,7 @@ class EndsLeft {
 
 }  // namespace
 
-VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera,
-                          const ProgressShare& progress) {
+VisibleLines in_pen_order(VisibleLines lines, const Camera& camera, const ProgressShare& progress) {
   std::vector<Vec2> ends;
   ends.reserve(2 * lines.size());
   Vec2 pen{0.0};
@@ -147,8 +146,9 @@ VisibleLines in_pen_order(const VisibleLines& lines, const Camera& camera,
     while (!left.is_empty()) {
       counter.add(per_item(lines.size()));
       const std::uint32_t end = left.nearest(pen);
-      const VisibleLine& line = lines[end / 2];
-      result.push_back(end % 2 == 1 ? reversed(line) : line);
+      VisibleLine& line = lines[end / 2];
+      if (end % 2 == 1) reverse(line);
+      result.push_back(std::move(line));
       pen = ends[end ^ 1];
       left.forget(end / 2);
     }

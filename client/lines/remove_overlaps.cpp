@@ -168,6 +168,7 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     std::uint32_t seen_by;
   };
   std::vector<Kept> kept;
+  kept.reserve(lines.size());
   TraceGrid grid(traces, tolerance);
   std::vector<Interval> taken;
   ProgressCounter counter(progress);

@@ -57,17 +57,17 @@ VisibleLine cut(const VisibleLine& line, double begin, double end) {
   return part;
 }
 
-VisibleLine reversed(const VisibleLine& line) {
-  VisibleLine back = line;
-  std::swap(back.a, back.b);
-  std::reverse(back.stretches.begin(), back.stretches.end());
-  double end = 0;
-  for (std::size_t k = 0; k < back.stretches.size(); ++k) {
-    const bool is_last = k + 1 == back.stretches.size();
-    end = is_last ? 1 : 1 - line.stretches[back.stretches.size() - 2 - k].end;
-    back.stretches[k].end = end;
-  }
-  return back;
+void reverse(VisibleLine& line) {
+  std::swap(line.a, line.b);
+  if (line.stretches.empty()) return;
+  double begin = 0;
+  for (LineStretch& stretch : line.stretches) begin = std::exchange(stretch.end, 1 - begin);
+  std::reverse(line.stretches.begin(), line.stretches.end());
+}
+
+VisibleLine reversed(VisibleLine line) {
+  reverse(line);
+  return line;
 }
 
 }  // namespace spoctree

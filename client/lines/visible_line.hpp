@@ -62,6 +62,8 @@ void set_stretches(VisibleLine& line, std::span<const LineStretch> stretches);
 /// The part from a + begin (b - a) to a + end (b - a).
 VisibleLine cut(const VisibleLine& line, double begin, double end);
 
-VisibleLine reversed(const VisibleLine& line);
+/// Turns it round.
+void reverse(VisibleLine& line);
+VisibleLine reversed(VisibleLine line);
 
 }  // namespace spoctree

@@ -94,6 +94,14 @@ bool is_asked_for(const Crease& crease, const Creases& creases, LineKind kind,
   return kind == LineKind::Crease ? options.with_creases : options.with_silhouettes;
 }
 
+/// All of it is one point of the picture, however many of its kind follow each other.
+bool is_end_on(const Crease& crease, const Camera& camera) {
+  if (camera.is_perspective()) return false;
+  const Vec3 way = crease.b - crease.a;
+  return std::abs(glm::dot(camera.right(), way)) + std::abs(glm::dot(camera.up(), way)) <=
+         kShortestLine * glm::length(way);
+}
+
 class LineMaker {
  public:
   LineMaker(const LineScene& scene, std::vector<LineKind> kinds)
@@ -156,7 +164,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   for (std::uint32_t k = 0; k < kinds.size(); ++k) {
     choosing.add(per_item(kinds.size()));
     const Crease& crease = creases.creases[k];
-    if (is_flat(crease, creases, planes)) continue;
+    if (is_end_on(crease, camera) || is_flat(crease, creases, planes)) continue;
     const bool is_seen = may_be_seen(crease, creases, planes, camera);
     if (!is_seen && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
@@ -184,6 +192,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   }
   const LineMaker maker(scene, std::move(kinds));
   VisibleLines lines;
+  lines.reserve(seen.size() + hidden.size());
   ProgressCounter making(options.progress.part(kMaking));
   const auto make = [&](const CreasePart& part, bool is_hidden) {
     making.add(per_item(seen.size() + hidden.size()));
@@ -199,7 +208,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });
-  lines = in_pen_order(lines, camera, options.progress.part(kOrdering));
+  lines = in_pen_order(std::move(lines), camera, options.progress.part(kOrdering));
   find_sources(lines, scene.tree(), scene.level());
   return options.split_by_source ? split_by_source(lines) : lines;
 }
