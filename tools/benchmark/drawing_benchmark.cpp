@@ -121,6 +121,7 @@ void register_drawing_benchmarks(const std::shared_ptr<BenchmarkModel>& model) {
   add_scene(scene);
   add(scene, "draw", Camera());
   add(scene, "draw-front", Camera(Vec3{0, -1, 0}));
+  add(scene, "draw-near-front", Camera(Vec3{0.02, -1, 0.013}));
   add(scene, "draw-perspective", Camera::perspective(Vec3{1.1, -1.42, 0.88}, Vec3{0, 0, 0}));
   add(std::make_shared<SceneBehindPlate>(model), "draw-behind-plate", Camera());
 }

@@ -7,8 +7,8 @@ def cpu_ms(part):
     return lambda row: row["parts"][part]["cpu_time"]
 
 
-def ratio(part):
-    return lambda row: cpu_ms(part)(row) / cpu_ms("draw")(row)
+def ratio(part, to="draw"):
+    return lambda row: cpu_ms(part)(row) / cpu_ms(to)(row)
 
 
 COLUMNS = (
@@ -19,6 +19,7 @@ COLUMNS = (
     Column("draw ms", cpu_ms("draw"), cpu_ms("draw")),
     Column("front ms", cpu_ms("draw-front"), cpu_ms("draw-front")),
     Column("front/draw", ratio("draw-front")),
+    Column("front/near it", ratio("draw-front", to="draw-near-front")),
     Column("perspective ms", cpu_ms("draw-perspective"), cpu_ms("draw-perspective")),
     Column("hidden ms", cpu_ms("draw-behind-plate"), cpu_ms("draw-behind-plate")),
     Column("hidden/draw", ratio("draw-behind-plate")),
