@@ -8,34 +8,6 @@ namespace spoctree {
 
 namespace {
 
-double twice_area(std::span<const Vec2> polygon) {
-  double sum = 0;
-  for (std::size_t k = 2; k < polygon.size(); ++k) {
-    const Vec2 p = polygon[k - 1] - polygon[0];
-    const Vec2 q = polygon[k] - polygon[0];
-    sum += p.x * q.y - p.y * q.x;
-  }
-  return sum;
-}
-
-/// The part of a convex polygon where value(corner) <= 0; `value` is linear.
-template <class Value>
-void clip(std::span<const Vec2> polygon, const Value& value, std::vector<Vec2>& part) {
-  part.clear();
-  if (polygon.empty()) return;
-  Vec2 from = polygon.back();
-  double at_from = value(from);
-  for (const Vec2 to : polygon) {
-    const double at_to = value(to);
-    if ((at_from < 0 && at_to > 0) || (at_from > 0 && at_to < 0)) {
-      part.push_back(from + (to - from) * (at_from / (at_from - at_to)));
-    }
-    if (at_to <= 0) part.push_back(to);
-    from = to;
-    at_from = at_to;
-  }
-}
-
 /// Whether a rectangle reaches into what is open; its border alone does not.
 bool do_overlap(const Rectangle& rectangle, const Rectangle& open) {
   constexpr double kRounding = 1e-15;
@@ -47,9 +19,6 @@ bool do_overlap(const Rectangle& rectangle, const Rectangle& open) {
 
 /// Pictures are not smaller than this.
 constexpr double kLeastSize = 1e-9;
-
-/// Less than this fraction of a tile is nothing.
-constexpr double kNothing = 1e-12;
 
 /// Most tiles are full when one polygon covers them, soon behind the surface. Where that does not
 /// happen, as where seams lie one behind the other, what all polygons leave is found out when there
@@ -215,39 +184,14 @@ bool CoveredPicture::shrink_open_box(Rectangle& open, std::uint32_t first,
   return true;
 }
 
-/// Takes the polygons of a tile away from it, one after the other.
 bool CoveredPicture::is_covered_all_over(const Tile& tile, Vec2 lower) {
-  const double size = tile_size_;
-  const double nothing = 2 * kNothing * size * size;
-  rest_.assign(1, {lower, lower + Vec2{size, 0}, lower + Vec2{size, size}, lower + Vec2{0, size}});
-  for (std::int32_t number = tile.first_entry; number >= 0 && !rest_.empty();) {
+  rest_.start(lower, tile_size_);
+  for (std::int32_t number = tile.first_entry; number >= 0 && !rest_.is_empty();) {
     const Entry& entry = entries_[static_cast<std::size_t>(number)];
+    rest_.take_away(half_planes(entry));
     number = entry.next;
-    const std::size_t old_count = rest_.size();
-    for (std::size_t i = 0; i < old_count; ++i) {
-      // The parts beyond one side after the other; what is within all of them is covered.
-      within_ = rest_[i];
-      for (const HalfPlane& side : half_planes(entry)) {
-        if (std::any_of(within_.begin(), within_.end(), [&](Vec2 p) { return side(p) > 0; })) {
-          clip(within_, side, cut_);
-          std::swap(within_, cut_);
-        }
-        if (within_.size() < 3) break;
-      }
-      if (twice_area(within_) <= nothing) continue;
-      std::swap(within_, rest_[i]);
-      rest_[i].clear();
-      for (const HalfPlane& side : half_planes(entry)) {
-        clip(
-            within_, [&](Vec2 p) { return -side(p); }, cut_);
-        if (twice_area(cut_) > nothing) rest_.push_back(cut_);
-        clip(within_, side, cut_);
-        std::swap(within_, cut_);
-      }
-    }
-    std::erase_if(rest_, [](const Polygon& part) { return part.empty(); });
   }
-  return rest_.empty();
+  return rest_.is_empty();
 }
 
 void CoveredPicture::find_uncovered(Vec2 a, Vec2 b, Interval part,

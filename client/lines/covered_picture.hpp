@@ -12,6 +12,8 @@
 
 #include "client/lines/camera.hpp"
 #include "client/lines/crease_parts.hpp"
+#include "client/lines/half_plane.hpp"
+#include "client/lines/square_remainder.hpp"
 #include "common/base/plain_vector.hpp"
 #include "common/base/small_count.hpp"
 
@@ -40,13 +42,7 @@ class CoveredPicture {
   void find_uncovered(Vec2 a, Vec2 b, Interval part, std::vector<Interval>& uncovered);
 
  private:
-  /// The half-plane { p : normal . p <= offset }.
-  struct HalfPlane {
-    Vec2 normal{0.0};
-    double offset = 0;
-    double operator()(Vec2 p) const { return glm::dot(normal, p) - offset; }
-  };
-  /// Its half-planes stand one after the other in `half_planes_`.
+  /// A polygon in a tile. Its half-planes stand one after the other in `half_planes_`.
   struct Entry {
     std::uint32_t first;
     std::uint32_t count;
@@ -57,7 +53,6 @@ class CoveredPicture {
     std::uint32_t entry_count = 0;
     Rectangle open;  ///< nothing of the tile is uncovered outside
   };
-  using Polygon = std::vector<Vec2>;
 
   std::int64_t column_of(double coordinate, int axis) const;
   Vec2 lower_corner(std::int64_t column, std::int64_t row) const;
@@ -75,6 +70,7 @@ class CoveredPicture {
   void cover_tile(std::int64_t column, std::int64_t row, const Rectangle& extent,
                   std::uint32_t first, std::uint32_t count);
   bool shrink_open_box(Rectangle& open, std::uint32_t first, std::uint32_t count) const;
+  /// The polygons of the tile leave nothing of it.
   bool is_covered_all_over(const Tile& tile, Vec2 lower);
   void look_at_tile(std::int64_t column, std::int64_t row, Vec2 a, Vec2 step, Interval part,
                     std::vector<Interval>& uncovered);
@@ -89,8 +85,7 @@ class CoveredPicture {
   PlainVector<HalfPlane> half_planes_;
   PlainVector<Entry> entries_;
   // Working memory.
-  std::vector<Polygon> rest_;
-  Polygon within_, cut_;
+  SquareRemainder rest_;
   std::vector<Interval> open_;
   std::vector<Interval> next_open_;
 };
