@@ -181,8 +181,10 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
 
   const Rectangle frame =
       options.frame ? *options.frame : extent_of_universe(scene.tree().universe, camera);
-  std::vector<CreasePart> seen =
-      find_seen_parts(scene, is_open, camera, frame, options.progress.part(kLooking));
+  const ProgressShare looking = options.progress.part(kLooking);
+  std::vector<CreasePart> seen = options.find_seen_parts
+                                     ? options.find_seen_parts(is_open, camera, frame, looking)
+                                     : find_seen_parts(scene, is_open, camera, frame, looking);
   merge_parts(seen, creases, kShortestGlimpse * unit);
   options.progress.add(kMerging);
   std::vector<CreasePart> hidden;

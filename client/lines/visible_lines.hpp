@@ -7,7 +7,9 @@
 // index of the picture for the comparison of all with all.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <vector>
 
 #include "client/lines/camera.hpp"
 #include "client/lines/line_scene.hpp"
@@ -16,6 +18,12 @@
 #include "common/tree/octree.hpp"
 
 namespace spoctree {
+
+/// Finds, of the creases for which `is_wanted`, the parts that are seen within `frame`; they may
+/// overlap.
+using SeenPartsFinder =
+    std::function<std::vector<CreasePart>(const std::vector<bool>& is_wanted, const Camera& camera,
+                                          const Rectangle& frame, const ProgressShare& progress)>;
 
 struct LineOptions {
   /// T_level is drawn, where there is no LineScene that says which; levels beyond the tree mean its
@@ -33,6 +41,8 @@ struct LineOptions {
   bool split_by_source = false;
   /// The part of the picture that is wanted; left out: the extent of the universe.
   std::optional<Rectangle> frame;
+  /// Left out: find_seen_parts.hpp.
+  SeenPartsFinder find_seen_parts = {};
   /// Told how much is done. What it throws is thrown on.
   ProgressShare progress = {};
 };
