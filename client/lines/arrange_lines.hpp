@@ -16,7 +16,7 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance,
 /// one: a visible line rather than a hidden one, else that whose middle is nearer. O(n) if lines
 /// are spread over the picture, however many lie on each other. REQUIRES: all lines are in front of
 /// the viewer.
-VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance,
+VisibleLines remove_overlaps(VisibleLines lines, const Camera& camera, double tolerance,
                              const ProgressShare& progress = {});
 
 /// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between

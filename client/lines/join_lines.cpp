@@ -26,7 +26,7 @@ double distance_from_line(Vec3 point, Vec3 a, Vec3 b) {
 class Ends {
  public:
   Ends(const VisibleLines& lines, double tolerance)
-      : lines_(lines), tolerance_(tolerance), cell_size_(4 * tolerance) {
+      : lines_(lines), tolerance_(tolerance), cell_size_(64 * tolerance) {
     std::size_t size = 16;
     while (size < 4 * lines.size()) size *= 2;
     first_.assign(size, kNone);

@@ -6,8 +6,18 @@ namespace spoctree {
 
 void find_outline(std::vector<Vec2>& points, std::vector<Vec2>& outline) {
   // Andrew's monotone chain: the lower side from left to right, then the upper one back.
-  std::sort(points.begin(), points.end(),
-            [](Vec2 p, Vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); });
+  const auto is_before = [](Vec2 p, Vec2 q) { return p.x < q.x || (p.x == q.x && p.y < q.y); };
+  if (points.size() <= 24) {
+    Vec2* const p = points.data();
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Vec2 point = p[k];
+      std::size_t at = k;
+      for (; at > 0 && is_before(point, p[at - 1]); --at) p[at] = p[at - 1];
+      p[at] = point;
+    }
+  } else {
+    std::sort(points.begin(), points.end(), is_before);
+  }
   const auto is_right_turn = [](Vec2 p, Vec2 q, Vec2 r) {
     return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x) <= 0;
   };

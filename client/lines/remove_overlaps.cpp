@@ -19,7 +19,9 @@ constexpr double kShortestOverlap = 0.01;
 constexpr double kShortestRest = 1;
 
 /// A line in the picture.
-struct Trace : ProjectedLine {
+struct Trace {
+  Vec2 a{0.0};
+  Vec2 b{0.0};
   Vec2 direction{0.0};  ///< unit
   double length = 0;
 };
@@ -144,31 +146,38 @@ std::vector<std::uint32_t> in_order(const VisibleLines& lines, const Camera& cam
   return order;
 }
 
-Trace trace_of(Vec3 a, Vec3 b, const Camera& camera) {
-  Trace trace{project(a, b, camera)};
-  trace.length = glm::distance(trace.a, trace.b);
-  if (trace.length > 0) trace.direction = (trace.b - trace.a) / trace.length;
+Trace trace_of(Vec2 a, Vec2 b) {
+  Trace trace{a, b};
+  trace.length = glm::distance(a, b);
+  if (trace.length > 0) trace.direction = (b - a) / trace.length;
   return trace;
 }
 
+/// A part of a line, as parameters in the picture.
+struct Part {
+  std::uint32_t line;
+  Interval interval;
+};
+
 }  // namespace
 
-VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, double tolerance,
+VisibleLines remove_overlaps(VisibleLines lines, const Camera& camera, double tolerance,
                              const ProgressShare& progress) {
   if (lines.empty()) return {};
   std::vector<Trace> traces;
   traces.reserve(lines.size());
-  for (const VisibleLine& line : lines) traces.push_back(trace_of(line.a, line.b, camera));
+  for (const VisibleLine& line : lines) {
+    const ProjectedLine projected = project(line.a, line.b, camera);
+    traces.push_back(trace_of(projected.a, projected.b));
+  }
 
   // Each line in turn keeps what no line before it has kept: nothing is lost, nothing twice.
-  struct Kept {
-    std::uint32_t line;
-    VisibleLine part;
-    Trace trace;
-    std::uint32_t seen_by;
-  };
-  std::vector<Kept> kept;
+  std::vector<Part> kept;
+  std::vector<Trace> kept_traces;
+  std::vector<std::uint32_t> seen_by;
   kept.reserve(lines.size());
+  kept_traces.reserve(lines.size());
+  seen_by.reserve(lines.size());
   TraceGrid grid(traces, tolerance);
   std::vector<Interval> taken;
   ProgressCounter counter(progress);
@@ -177,9 +186,8 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     const Trace& trace = traces[k];
     taken.clear();
     grid.visit_near(trace, [&](std::uint32_t item) {
-      if (kept[item].seen_by == k) return;
-      kept[item].seen_by = k;
-      const Interval covered = overlap(trace, kept[item].trace, tolerance);
+      if (std::exchange(seen_by[item], k) == k) return;
+      const Interval covered = overlap(trace, kept_traces[item], tolerance);
       if (covered.begin < covered.end) taken.push_back(covered);
     });
     std::sort(taken.begin(), taken.end(),
@@ -187,15 +195,13 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     const double shortest = kShortestRest * tolerance / std::max(trace.length, tolerance);
     double from = 0;
     const auto keep_until = [&](double to) {
-      if (to - from < shortest && (from > 0 || to < 1)) return;
-      Kept one{k, lines[k], trace, k};
-      if (from > 0 || to < 1) {
-        one.part =
-            cut(lines[k], from > 0 ? trace.to_space(from) : 0, to < 1 ? trace.to_space(to) : 1);
-        one.trace = trace_of(one.part.a, one.part.b, camera);
-      }
-      grid.add(one.trace, static_cast<std::uint32_t>(kept.size()));
-      kept.push_back(std::move(one));
+      const bool is_whole = from == 0 && to == 1;
+      if (to - from < shortest && !is_whole) return;
+      const Vec2 way = trace.b - trace.a;
+      kept_traces.push_back(is_whole ? trace : trace_of(trace.a + from * way, trace.a + to * way));
+      grid.add(kept_traces.back(), static_cast<std::uint32_t>(kept.size()));
+      kept.push_back({k, {from, to}});
+      seen_by.push_back(k);
     };
     for (const Interval& covered : taken) {
       keep_until(covered.begin);
@@ -203,13 +209,20 @@ VisibleLines remove_overlaps(const VisibleLines& lines, const Camera& camera, do
     }
     keep_until(1);
   }
-  std::vector<std::uint32_t> order(kept.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t p, std::uint32_t q) { return kept[p].line < kept[q].line; });
+  std::stable_sort(kept.begin(), kept.end(),
+                   [&](const Part& p, const Part& q) { return p.line < q.line; });
   VisibleLines result;
   result.reserve(kept.size());
-  for (const std::uint32_t k : order) result.push_back(std::move(kept[k].part));
+  for (const Part& part : kept) {
+    VisibleLine& line = lines[part.line];
+    if (part.interval.begin == 0 && part.interval.end == 1) {
+      result.push_back(std::move(line));
+      continue;
+    }
+    const ProjectedLine projected = project(line.a, line.b, camera);
+    const auto in_space = [&](double s) { return s > 0 && s < 1 ? projected.to_space(s) : s; };
+    result.push_back(cut(line, in_space(part.interval.begin), in_space(part.interval.end)));
+  }
   return result;
 }
 

@@ -205,8 +205,8 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   making.tell();
   small_count(2 * lines.size(), "ends of lines", kMostIn32Bits - 1);
   lines = join_lines(lines, kJoinTolerance * unit, options.progress.part(kJoining));
-  lines =
-      remove_overlaps(lines, camera, kOverlapTolerance * unit, options.progress.part(kComparing));
+  lines = remove_overlaps(std::move(lines), camera, kOverlapTolerance * unit,
+                          options.progress.part(kComparing));
   std::erase_if(lines, [&](const VisibleLine& line) {
     return glm::distance(camera.project(line.a), camera.project(line.b)) < shortest;
   });
