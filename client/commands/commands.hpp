@@ -58,6 +58,10 @@ struct DrawArguments {
   bool colour_by_kind = false;
   bool with_data = true;
   std::optional<double> dpi;
+  /// How it is found what hides what; the picture is the same.
+  enum class Method { FrontToBack, Cells } method = Method::FrontToBack;
+  /// Say on standard error what each level took.
+  bool with_statistics = false;
 };
 /// Draws T_k, or every T_k while the levels arrive.
 void run_draw(const DrawArguments& arguments);

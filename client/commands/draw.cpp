@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "client/cells/cell_scene.hpp"
 #include "client/commands/commands.hpp"
 #include "client/commands/draw_formats.hpp"
 #include "client/commands/draw_warnings.hpp"
@@ -76,6 +77,34 @@ class LevelProgress {
   ProgressMeter meter_{report_};
 };
 
+/// What a level took, for --statistics.
+struct DrawingCosts {
+  double preparing_s = 0;
+  double drawing_s = 0;
+  std::vector<AvenueCounts> avenues;  ///< of each view
+};
+
+void print_costs(const LevelPictures& level, const DrawingCosts& costs,
+                 const std::optional<CellScene>& cells) {
+  std::string text = "level " + std::to_string(level.level) + ": ";
+  char times[80];
+  std::snprintf(times, sizeof times, "prepared in %.4f s, drawn in %.4f s", costs.preparing_s,
+                costs.drawing_s);
+  text += times;
+  if (cells) {
+    const EmptySpace& space = cells->space();
+    text += "; " + std::to_string(space.cells().size()) + " cells (" +
+            std::to_string(space.cells_of_partition()) + " before merging), " +
+            std::to_string(space.openings().openings.size()) + " openings";
+    for (const AvenueCounts& counts : costs.avenues) {
+      text += "; " + std::to_string(counts.avenues) + " avenues into " +
+              std::to_string(counts.cells) + " cells, through up to " +
+              std::to_string(counts.longest) + " openings";
+    }
+  }
+  std::fprintf(stderr, "spoctree-client: %s\n", text.c_str());
+}
+
 /// Afterwards, no further level can be drawn if this is the last one.
 LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<View>& views,
                          const DrawArguments& arguments, bool is_last) {
@@ -86,23 +115,36 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
   level.universe = tree.universe;
   level.pictures.resize(views.size());
   LevelProgress progress(stream, level.model);
+  const bool with_cells = arguments.method == DrawArguments::Method::Cells;
   // The work, where there are a million faces: a view is a fourth of rebuilding, or of preparing.
-  const double per_view = 1 / (8 + static_cast<double>(views.size()));
+  const double per_view = 1 / ((with_cells ? 16 : 8) + static_cast<double>(views.size()));
+  DrawingCosts costs;
+  costs.avenues.resize(views.size());
+  std::optional<CellScene> cells;
   {
     const Surface surface =
         drawn.rebuilder.rebuild(tree, level.level, progress.begin("rebuilding", 4 * per_view));
     if (is_last) drawn.rebuilder = {};
     give_back_memory();
     const ProgressShare preparing = progress.begin("preparing", 4 * per_view);
+    const Elapsed elapsed;
     if (drawn.scene) {
       drawn.scene->go_on_to(surface, level.level, preparing);
     } else {
       drawn.scene.emplace(tree, surface, level.level, preparing);
     }
+    costs.preparing_s = elapsed.seconds();
   }
   give_back_memory();
+  if (with_cells) {
+    const ProgressShare dividing = progress.begin("dividing space", 8 * per_view);
+    const Elapsed elapsed;
+    cells.emplace(*drawn.scene, dividing);
+    costs.preparing_s = elapsed.seconds();
+  }
   const ProgressShare drawing =
       progress.begin("drawing", per_view * static_cast<double>(views.size()));
+  const Elapsed elapsed;
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
     options.crease_angle_deg = arguments.crease_angle_deg;
@@ -113,11 +155,15 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
     options.with_creases = arguments.with_creases;
     options.with_steps = arguments.with_steps;
     options.progress = drawing.part(per_item(views.size()));
+    if (cells) options.find_seen_parts = cells->finder(&costs.avenues[k]);
     level.pictures[k] =
         make_picture(views[k], visible_lines(*drawn.scene, views[k].camera, options));
   });
-  if (is_last) drawn.scene.reset();
+  costs.drawing_s = elapsed.seconds();
   progress.begin("writing", 0);
+  if (arguments.with_statistics) print_costs(level, costs, cells);
+  cells.reset();
+  if (is_last) drawn.scene.reset();
   return level;
 }
 

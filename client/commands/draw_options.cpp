@@ -45,8 +45,10 @@ std::optional<Vec3> parse_vector(const std::string& text, const std::string& opt
 
 struct DrawOptions::Texts {
   std::string level, from, eye, target, up, fov, views, projection, stereo, eye_separation, scale,
-      page, lines, hidden = "none", colour_by = "none", crease_angle, dpi, format, output, html;
+      page, lines, hidden = "none", colour_by = "none", crease_angle, dpi, format, output, html,
+                   method = "front-to-back";
   bool bare = false;
+  bool statistics = false;
 };
 
 DrawOptions::DrawOptions(CLI::App& command, StreamOptions& stream)
@@ -131,6 +133,19 @@ DrawOptions::DrawOptions(CLI::App& command, StreamOptions& stream)
                 "strokes and a layer per class of lines")
       ->group(lines);
 
+  command
+      .add_option("--method", texts.method,
+                  "how hidden lines are found: front-to-back (a walk over the tree's pieces of "
+                  "material), or cells (avenues of sight through the empty cells between them); "
+                  "the picture is the same")
+      ->check(CLI::IsMember({"front-to-back", "cells"}))
+      ->group(lines);
+  command
+      .add_flag("--statistics", texts.statistics,
+                "say on standard error how long preparing and drawing took, and with --method "
+                "cells how many cells, openings and avenues there are")
+      ->group(lines);
+
   const char* const page = "The page";
   command
       .add_option("--scale", texts.scale,
@@ -207,6 +222,8 @@ DrawArguments DrawOptions::arguments() const {
   arguments.with_hidden_lines = texts.hidden == "dashed";
   arguments.colour_by_kind = texts.colour_by == "kind";
   arguments.with_data = !texts.bare;
+  if (texts.method == "cells") arguments.method = DrawArguments::Method::Cells;
+  arguments.with_statistics = texts.statistics;
   if (!texts.scale.empty()) arguments.page.scale = parse_scale(texts.scale);
   if (!texts.page.empty()) parse_paper(texts.page, arguments.page);
   if (!texts.dpi.empty()) arguments.dpi = parse_number(texts.dpi, "--dpi", "a number");

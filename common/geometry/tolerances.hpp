@@ -26,6 +26,14 @@ inline constexpr double kShortEdge = 1e-6;
 /// up to rounding (2^-45) only. Small, for a line that is not hidden may pass as near.
 inline constexpr double kPictureTolerance = 1e-13;
 
+/// A mask through which a cell is seen ends the avenue of sight where it is nowhere wider than this
+/// in the picture: openings that meet do so up to rounding only.
+inline constexpr double kThinnestMask = 1e-12;
+
+/// What is nearer to a mask than this in the picture is seen through it: what ends for being too
+/// thin lies within this of what does not.
+inline constexpr double kMaskTolerance = 1e-11;
+
 /// A crease touches what it is nearer to than this: rebuilt vertices stand off the exact ones by up
 /// to kWeldTolerance.
 inline constexpr double kCreaseTolerance = 3e-10;
