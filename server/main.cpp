@@ -10,6 +10,7 @@
 #include "server/commands/build_command.hpp"
 #include "server/commands/info_command.hpp"
 #include "server/commands/serve_command.hpp"
+#include "server/commands/tree_options.hpp"
 
 namespace {
 
@@ -24,16 +25,7 @@ std::string is_number(const std::string& text) {
 }
 
 void add_model_options(CLI::App& command, ModelOptions& options) {
-  command
-      .add_option("--max-depth", options.max_depth,
-                  "cells at this depth are leaves whatever they hold; the model stays exact")
-      ->check(CLI::Range(0, kMaxDepth))
-      ->capture_default_str();
-  command
-      .add_option("--leaf-planes", options.leaf_planes,
-                  "cells with at most so many planes are leaves: fewer nodes, longer expressions")
-      ->check(CLI::Range(0, 1000))
-      ->capture_default_str();
+  add_tree_options(command, options.rules);
   command
       .add_option("--flat-tolerance", options.flat_tolerance,
                   "neighbouring faces that are flat within so much of the diagonal become one, and "
@@ -49,7 +41,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("Builds SP-Octrees from meshes and serves them, level by level.", "spoctree-server");
+  CLI::App app("Builds octrees from meshes and serves them, level by level.", "spoctree-server");
   app.require_subcommand(1);
   app.footer(
       "Exit codes: 0 done, 2 wrong usage, 3 bad input (a file that is not what it should be, or\n"

@@ -9,6 +9,7 @@
 
 #include "common/base/parallel.hpp"
 #include "server/build/join_parts.hpp"
+#include "server/build/merge_built.hpp"
 #include "server/build/subtree_builder.hpp"
 
 namespace spoctree {
@@ -129,6 +130,15 @@ void renumber_planes(Octree& tree, const std::vector<Plane>& planes_of_solid) {
   }
 }
 
+NodeBudget budget_of(const Solid& solid, const TreeRules& rules) {
+  if (std::holds_alternative<ClassicalRules>(rules)) {
+    return {kMostClassicalNodes, "a smaller --max-depth makes fewer"};
+  }
+  return {kMostNodes + kMostNodesPerTriangle * solid.triangles.size(),
+          "parts of the surface that do not meet are too close to each other over a long way "
+          "(--max-depth ends the subdivision earlier)"};
+}
+
 }  // namespace
 
 BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
@@ -136,12 +146,14 @@ BuiltOctree build_octree(const Solid& solid, const SolidQueries& queries,
   Branch root;
   {
     const Incidence incidence(solid);
-    NodeBudget budget(kMostNodes + kMostNodesPerTriangle * solid.triangles.size());
+    NodeBudget budget = budget_of(solid, options.rules);
     const BuildContext context{solid, queries, incidence, options.rules, budget};
     ParallelBuilder(context, options).build(root_cell(solid, queries), root);
   }
   BuiltOctree built = join_parts(root);
   built.tree.universe = solid.universe;
+  built.is_classical = std::holds_alternative<ClassicalRules>(options.rules);
+  if (built.is_classical) merge_siblings(built);
   renumber_planes(built.tree, solid.planes);
   return built;
 }

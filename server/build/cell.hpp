@@ -31,6 +31,9 @@ struct Cell {
     for (int axis = 0; axis < 3; ++axis) position[axis] = wall(solid, axis, (octant >> axis) & 1);
     return position;
   }
+  Vec3 centre(const Solid& solid) const {
+    return 0.5 * (corner_position(solid, 0) + corner_position(solid, 7));
+  }
 };
 
 /// What a classifier decides.
@@ -38,7 +41,8 @@ struct Decision {
   NodeKind kind = NodeKind::White;
   std::vector<std::uint32_t> planes;  ///< of the solid
   std::vector<std::uint32_t> tokens;  ///< of a VERTEX node
-  /// For GREY nodes: a triangle of the solid that touches the cell (for the error bound).
+  /// For GREY nodes and the partial cells of classical trees: a triangle of the solid that touches
+  /// the cell (for the error bound).
   std::uint32_t witness = 0;
   bool is_depth_limited = false;  ///< a leaf only because of the depth limit
 

@@ -10,6 +10,7 @@
 
 #include "common/base/parallel.hpp"
 #include "common/tree/pieces.hpp"
+#include "server/build/certify_cubes.hpp"
 #include "server/build/error_bound.hpp"
 #include "server/build/level_survey.hpp"
 
@@ -90,6 +91,7 @@ std::vector<GreyRegions> survey(const BuiltOctree& built, const Solid& solid,
 
 void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
              const ProgressReport& report) {
+  if (built.is_classical) return certify_cubes(built, solid, queries, report);
   ProgressMeter progress(report);
   progress.add(0);
   const std::vector<GreyRegions> regions = survey(built, solid, queries, progress);

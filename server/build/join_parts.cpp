@@ -62,6 +62,9 @@ LevelPart join_level(const std::vector<LevelPart*>& parts) {
   whole.witnesses.reserve(greys);
   for (LevelPart* pointer : parts) {
     const LevelPart part = std::exchange(*pointer, {});
+    for (const PartialCell& cell : part.partial_cells) {
+      whole.partial_cells.push_back({level.size() + cell.node, cell.witness});
+    }
     append(level.kinds, part.nodes.kinds);
     for (std::uint32_t node = 0; node < part.nodes.size(); ++node) {
       const bool is_grey = part.nodes.kinds[node] == NodeKind::Grey;
@@ -89,6 +92,7 @@ BuiltOctree join_parts(Branch& root) {
     LevelPart whole = join_level(parts);
     built.tree.levels.push_back(std::move(whole.nodes));
     built.witnesses.push_back(std::move(whole.witnesses));
+    built.partial_cells.push_back(std::move(whole.partial_cells));
     built.leaf_volumes.push_back(whole.leaf_volume.value());
     built.leaf_areas.push_back(whole.leaf_area.value());
     built.depth_limited_nodes += whole.depth_limited_nodes;

@@ -1,10 +1,9 @@
 #include "server/build/sp_classifier.hpp"
 
 #include <algorithm>
-#include <glm/geometric.hpp>
-#include <limits>
 
 #include "common/geometry/predicates.hpp"
+#include "server/build/cell_contents.hpp"
 
 namespace spoctree {
 
@@ -32,7 +31,9 @@ void SpClassifier::classify(Cell& cell, Decision& decision) {
   decision.clear();
   collect(cell);
   if (remaining_.empty()) {
-    classify_homogeneous(cell, decision);
+    // A resolved face in the cell has its material in it, and all of that is inside the ancestors'
+    // half-spaces: everything there is material.
+    decision.kind = is_all_material(solid_, queries_, cell) ? NodeKind::Black : NodeKind::White;
     return;
   }
   const auto take = [&](NodeKind kind) {
@@ -51,7 +52,7 @@ void SpClassifier::classify(Cell& cell, Decision& decision) {
     return;
   }
   decision.kind = NodeKind::Grey;
-  decision.witness = triangle_near_centre(cell);
+  decision.witness = triangle_near_centre(solid_, cell, remaining_);
   for (const std::uint32_t plane : planes_) {
     if (is_hull_plane(cell, plane)) decision.planes.push_back(plane);
   }
@@ -99,24 +100,6 @@ void SpClassifier::collect(const Cell& cell) {
   resolved_corners_.prepare();
 }
 
-void SpClassifier::classify_homogeneous(Cell& cell, Decision& decision) {
-  // A resolved face in the cell has its material in the cell, and all of it is inside the
-  // ancestors' half-spaces: everything there is material.
-  bool inside = !cell.boundary.fragments.empty();
-  if (!inside) {
-    const auto known = std::find_if(cell.corners.begin(), cell.corners.end(), [](CornerState s) {
-      return s == CornerState::Inside || s == CornerState::Outside;
-    });
-    if (known != cell.corners.end()) {
-      inside = *known == CornerState::Inside;
-    } else {
-      const Vec3 centre = 0.5 * (cell.corner_position(solid_, 0) + cell.corner_position(solid_, 7));
-      inside = queries_.side_of(centre) == SolidQueries::Side::In;
-    }
-  }
-  decision.kind = inside ? NodeKind::Black : NodeKind::White;
-}
-
 bool SpClassifier::no_remaining_corner_on_side(int sign) {
   return std::none_of(planes_.begin(), planes_.end(), [&](std::uint32_t plane) {
     return remaining_corners_.any_on_side(plane, sign, solid_.planes[plane], sides_);
@@ -139,23 +122,6 @@ bool SpClassifier::shares_a_vertex() const {
       return std::binary_search(vertices.begin(), vertices.end(), vertex);
     });
   });
-}
-
-std::uint32_t SpClassifier::triangle_near_centre(const Cell& cell) const {
-  const Vec3 centre = 0.5 * (cell.corner_position(solid_, 0) + cell.corner_position(solid_, 7));
-  double nearest = std::numeric_limits<double>::infinity();
-  std::uint32_t triangle = 0;
-  for (const Fragment& fragment : remaining_) {
-    Vec3 sum{0.0};
-    for (const FragmentCorner& corner : cell.boundary.corners_of(fragment)) sum += corner.position;
-    const Vec3 offset = sum / static_cast<double>(fragment.corner_count) - centre;
-    const double distance = glm::dot(offset, offset);
-    if (distance < nearest) {
-      nearest = distance;
-      triangle = fragment.triangle;
-    }
-  }
-  return triangle;
 }
 
 CornerState SpClassifier::state_of(Cell& cell, unsigned octant) const {

@@ -23,9 +23,7 @@ constexpr double kWorkStep = 1e-4;
 void NodeBudget::spend(std::uint64_t nodes) {
   const auto some = static_cast<std::int64_t>(nodes);
   if (left_.fetch_sub(some, std::memory_order_relaxed) >= some) return;
-  throw BadInput("the tree would have more than " + std::to_string(nodes_) +
-                 " nodes: parts of the surface that do not meet are too close to each other over a "
-                 "long way (--max-depth ends the subdivision earlier)");
+  throw BadInput("the tree would have more than " + std::to_string(nodes_) + " nodes: " + advice_);
 }
 
 std::size_t count_fragments(const std::array<Cell, 8>& cells) {
@@ -43,16 +41,23 @@ SubtreeBuilder::SubtreeBuilder(const BuildContext& context, ProgressMeter& progr
     : context_(context),
       progress_(progress),
       sides_(context.solid, context.incidence),
-      classifier_(context.solid, context.incidence, context.queries, context.rules) {}
+      classifier_(
+          make_classifier(context.solid, context.incidence, context.queries, context.rules)) {}
 
 void SubtreeBuilder::decide(Cell& cell, double work, Decision& decision, LevelPart& part) {
   propagate_corner_states(context_.solid, cell);
-  classifier_.classify(cell, decision);
+  classifier_->classify(cell, decision);
   part.nodes.append(decision.kind, decision.planes, decision.tokens);
-  if (decision.is_depth_limited) ++part.depth_limited_nodes;
   if (decision.kind == NodeKind::Grey) {
     part.witnesses.push_back(decision.witness);
     return;
+  }
+  if (decision.is_depth_limited) {
+    ++part.depth_limited_nodes;
+    // Such a VERTEX leaf is exact all the same.
+    if (decision.kind != NodeKind::Vertex) {
+      part.partial_cells.push_back({part.nodes.size() - 1, decision.witness});
+    }
   }
   if (decision.kind != NodeKind::White) {
     part.leaf_volume.add(material_volume(context_.solid, context_.queries, cell));

@@ -10,8 +10,9 @@
 #include "common/base/progress_meter.hpp"
 #include "common/tree/octree.hpp"
 #include "server/build/cell.hpp"
+#include "server/build/classifier.hpp"
 #include "server/build/order_free_sum.hpp"
-#include "server/build/sp_classifier.hpp"
+#include "server/build/partial_cell.hpp"
 #include "server/solid/solid_queries.hpp"
 
 namespace spoctree {
@@ -19,7 +20,8 @@ namespace spoctree {
 /// What is known of some consecutive nodes of one level of the tree.
 struct LevelPart {
   Level nodes;  ///< `first_child` counts within the next part; planes are the solid's
-  std::vector<std::uint32_t> witnesses;  ///< see BuiltOctree
+  std::vector<std::uint32_t> witnesses;    ///< see BuiltOctree
+  std::vector<PartialCell> partial_cells;  ///< see BuiltOctree
   OrderFreeSum leaf_volume;
   OrderFreeSum leaf_area;
   std::size_t depth_limited_nodes = 0;
@@ -29,13 +31,15 @@ struct LevelPart {
 /// alone, when and by which thread on chance.
 class NodeBudget {
  public:
-  explicit NodeBudget(std::uint64_t nodes)
-      : nodes_(nodes), left_(static_cast<std::int64_t>(nodes)) {}
+  /// `advice` says why a tree may exceed it, and what to do.
+  NodeBudget(std::uint64_t nodes, const char* advice)
+      : nodes_(nodes), advice_(advice), left_(static_cast<std::int64_t>(nodes)) {}
   /// Throws BadInput when there are not so many left.
   void spend(std::uint64_t nodes);
 
  private:
   const std::uint64_t nodes_;
+  const char* const advice_;
   std::atomic<std::int64_t> left_;
 };
 
@@ -44,7 +48,7 @@ struct BuildContext {
   const Solid& solid;
   const SolidQueries& queries;
   const Incidence& incidence;
-  const SpRules& rules;
+  const TreeRules& rules;
   NodeBudget& budget;
 };
 
@@ -55,8 +59,8 @@ class SubtreeBuilder {
 
   /// The planes of a GREY node count as resolved from `enter` to `leave`, which bracket the work on
   /// what is below it.
-  void enter(const std::vector<std::uint32_t>& planes) { classifier_.push(planes); }
-  void leave(const std::vector<std::uint32_t>& planes) { classifier_.pop(planes); }
+  void enter(const std::vector<std::uint32_t>& planes) { classifier_->push(planes); }
+  void leave(const std::vector<std::uint32_t>& planes) { classifier_->pop(planes); }
 
   /// Decides what a cell is and appends it to `part`. `work` is the share of all work that the cell
   /// stands for: it is done if the cell becomes a leaf.
@@ -83,7 +87,7 @@ class SubtreeBuilder {
   const BuildContext& context_;
   ProgressMeter& progress_;
   const CornerSides sides_;
-  SpClassifier classifier_;
+  const std::unique_ptr<Classifier> classifier_;
   std::vector<std::unique_ptr<Workspace>> workspaces_;
   std::array<FragmentList, 2> by_z_;  ///< of the fragments that are being split
   std::array<FragmentList, 2> by_y_;

@@ -12,6 +12,7 @@
 #include "common/wire/spo_writer.hpp"
 #include "server/build/build_octree.hpp"
 #include "server/build/certify.hpp"
+#include "server/commands/tree_options.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/solid/import_solid.hpp"
 #include "server/solid/repair.hpp"
@@ -37,8 +38,7 @@ SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions
   SourceInfo source;
   source.name = mesh.filename().string();
   source.hash = hash_bytes(MappedFile(mesh).bytes());
-  source.build_options = "max-depth=" + std::to_string(options.max_depth) +
-                         " leaf-planes=" + std::to_string(options.leaf_planes) +
+  source.build_options = describe_rules(options.rules) +
                          " flat-tolerance=" + to_text(options.flat_tolerance) +
                          (options.repair ? " repair" : "");
   return source;
@@ -127,8 +127,7 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
   stopwatch.lap();
 
   BuildOptions build_options;
-  build_options.rules.max_depth = options.max_depth;
-  build_options.rules.leaf_planes = options.leaf_planes;
+  build_options.rules = options.rules;
   build_options.progress = report_of(kBuilding, progress);
   build_options.progress(0);
   const SolidQueries queries(solid);

@@ -9,6 +9,7 @@
 
 #include "common/geometry/tolerances.hpp"
 #include "common/tree/octree.hpp"
+#include "server/build/classifier.hpp"
 #include "server/solid/solid.hpp"
 
 namespace spoctree {
@@ -18,8 +19,7 @@ inline constexpr double kLargestFlatTolerance = 0.05;
 
 /// What the user can set.
 struct ModelOptions {
-  std::uint32_t max_depth = kMaxDepth;            ///< 0 to kMaxDepth
-  std::uint32_t leaf_planes = 0;                  ///< see SpRules
+  TreeRules rules;                                ///< depths of 0 to kMaxDepth
   double flat_tolerance = kDefaultFlatTolerance;  ///< see ImportOptions; to kLargestFlatTolerance
   bool repair = false;                            ///< see server/solid/repair.hpp
 };

@@ -54,7 +54,7 @@ TEST(NodeBudget, IsEnoughWithALimitOfDepth) {
   const Solid solid = plate_between_boxes(1e-6);
   const SolidQueries queries(solid);
   BuildOptions options;
-  options.rules.max_depth = 8;
+  options.rules = SpRules{0, 8};
   EXPECT_GT(build_octree(solid, queries, options).depth_limited_nodes, 1000u);
 }
 

@@ -161,7 +161,7 @@ TEST(SpClassifier, MaxDepthEndsTheTreeAndCountsTheNodesItEnded) {
   const BuiltOctree whole = build_octree(solid, queries, options);
   EXPECT_EQ(whole.depth_limited_nodes, 0u);
   for (std::uint32_t depth = 0; depth + 1 < whole.tree.levels.size(); ++depth) {
-    options.rules.max_depth = depth;
+    options.rules = SpRules{0, depth};
     const BuiltOctree cut = build_octree(solid, queries, options);
     EXPECT_EQ(validate(cut.tree), std::vector<std::string>{});
     ASSERT_EQ(cut.tree.levels.size(), depth + 1);

@@ -49,7 +49,7 @@ TEST(Threads, AnyNumberOfThemBuildsTheSameBytes) {
   for (const Solid& solid : solids()) {
     for (const std::uint32_t max_depth : {std::uint32_t{kMaxDepth}, std::uint32_t{3}}) {
       BuildOptions options;
-      options.rules.max_depth = max_depth;
+      options.rules = SpRules{0, max_depth};
       options.fragments_per_job = 32;
       std::string one;
       for (const std::size_t threads : {1, 2, 3, 8}) {
