@@ -1,0 +1,13 @@
+// The bytes of a PNG file -> a mask.
+#pragma once
+
+#include <string_view>
+
+#include "server/silhouettes/mask.hpp"
+
+namespace spoctree {
+
+/// See read_mask.hpp. The size is judged before anything is unpacked.
+Mask parse_png(std::string_view bytes, std::string_view name);
+
+}  // namespace spoctree

@@ -1,0 +1,161 @@
+#include "tools/silhouettes/build_command.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+
+#include "common/base/errors.hpp"
+#include "common/base/parallel.hpp"
+#include "common/program/output.hpp"
+#include "common/program/remaining_time.hpp"
+#include "common/report/json_text.hpp"
+#include "common/report/level_rows.hpp"
+#include "common/report/text_table.hpp"
+#include "common/tree/validate.hpp"
+#include "common/wire/hash.hpp"
+#include "common/wire/mapped_file.hpp"
+#include "common/wire/spo_file.hpp"
+#include "common/wire/spo_writer.hpp"
+#include "server/silhouettes/state_levels.hpp"
+#include "server/silhouettes/views.hpp"
+#include "tools/silhouettes/find_masks.hpp"
+#include "tools/silhouettes/view_cube.hpp"
+
+namespace spoctree {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The files of the views wanted, in the order wanted.
+std::vector<MaskFile> choose_masks(const SilhouetteBuildArguments& arguments) {
+  const std::vector<MaskFile> all = find_masks(arguments.masks);
+  const auto find = [&](std::size_t view) {
+    return std::find_if(all.begin(), all.end(),
+                        [view](const MaskFile& mask) { return mask.view == view; });
+  };
+  std::vector<MaskFile> chosen;
+  if (arguments.views.empty()) {
+    chosen = all;
+  } else {
+    for (const std::size_t view : parse_views(arguments.views)) {
+      const auto mask = find(view);
+      if (mask == all.end()) {
+        throw BadInput(arguments.masks.front() + ": no mask of view " +
+                       std::string(all_views()[view].name));
+      }
+      chosen.push_back(*mask);
+    }
+  }
+  if (arguments.order.empty()) return chosen;
+  std::vector<MaskFile> ordered;
+  for (const std::size_t view : parse_views(arguments.order)) {
+    for (const MaskFile& mask : chosen) {
+      if (mask.view == view) ordered.push_back(mask);
+    }
+  }
+  if (ordered.size() < chosen.size()) throw UsageError("--order leaves out views that are there");
+  return ordered;
+}
+
+/// After the views of each kind, in their order; the last stage is after all of them.
+std::vector<std::size_t> find_stages(const std::vector<MaskFile>& masks) {
+  std::vector<std::size_t> stages;
+  for (std::size_t i = 1; i <= masks.size(); ++i) {
+    if (i == masks.size() || all_views()[masks[i - 1].view].kind != all_views()[masks[i].view].kind)
+      stages.push_back(i);
+  }
+  return stages;
+}
+
+SourceInfo describe_source(const std::vector<MaskFile>& masks, std::size_t used,
+                           const SilhouetteOptions& options) {
+  SourceInfo source;
+  Hasher hasher;
+  std::string views;
+  for (std::size_t i = 0; i < used; ++i) {
+    hasher.add(MappedFile(masks[i].path).bytes());
+    if (!views.empty()) views += ',';
+    views += all_views()[masks[i].view].name;
+  }
+  const fs::path first = fs::absolute(masks.front().path).parent_path();
+  source.name = first.filename().string();
+  source.hash = hasher.hash();
+  source.build_options = "kind=silhouettes max-depth=" + std::to_string(options.rules.max_depth) +
+                         " black-fraction=" + to_text(options.rules.black_fraction) +
+                         (options.grow ? " grow" : "") + " views=" + views;
+  return source;
+}
+
+/// "cup.spo" -> "cup-3.spo".
+std::string stage_name(const std::string& output, std::size_t views) {
+  const fs::path path(output);
+  return (path.parent_path() /
+          (path.stem().string() + "-" + std::to_string(views) + path.extension().string()))
+      .string();
+}
+
+}  // namespace
+
+void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
+  const Elapsed elapsed;
+  const std::vector<MaskFile> masks = choose_masks(arguments);
+  const std::optional<Universe> found = find_cube(arguments.masks);
+  const Universe cube = !arguments.cube.empty() ? parse_cube(arguments.cube, "--cube")
+                        : found                 ? *found
+                                                : cube_around({0, 0, 0}, 2);
+  const std::vector<Silhouette> silhouettes = read_silhouettes(masks);
+  const double read_s = elapsed.seconds();
+
+  SilhouetteOptions options;
+  options.grow = arguments.grow;
+  options.rules.black_fraction = arguments.black_fraction;
+  options.rules.max_depth =
+      arguments.max_depth >= 0 ? arguments.max_depth : depth_of_pixels(silhouettes);
+  options.stages = arguments.stages ? find_stages(masks) : std::vector<std::size_t>{masks.size()};
+  std::vector<Octree> trees = build_from_silhouettes(cube, silhouettes, options);
+  const double build_s = elapsed.seconds() - read_s;
+
+  std::vector<TableRow> rows{{"views", "nodes", "black", "volume", "share of the cube", "file"}};
+  std::vector<std::string> files(trees.size());
+  std::vector<std::string> names(trees.size());
+  parallel_for(trees.size(), [&](std::size_t i) {
+    state_levels_of_cubes(trees[i]);
+    if (const auto broken = validate(trees[i], 1); !broken.empty())
+      throw std::logic_error("the program has built an invalid tree (" + broken.front() +
+                             "): please report this");
+    files[i] = encode_spo(trees[i], describe_source(masks, options.stages[i], options));
+    names[i] =
+        i + 1 < trees.size() ? stage_name(arguments.output, options.stages[i]) : arguments.output;
+  });
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    write_output(names[i], files[i]);
+    std::size_t nodes = 0;
+    std::size_t black = 0;
+    for (const Level& level : trees[i].levels) {
+      nodes += level.size();
+      black += level.count_kinds()[static_cast<std::size_t>(NodeKind::Black)];
+    }
+    const double volume = trees[i].levels.back().statement.outer_volume;
+    const double side = cube.side();
+    rows.push_back({std::to_string(options.stages[i]), std::to_string(nodes), std::to_string(black),
+                    to_short_text(volume),
+                    to_short_text(100 * volume / (side * side * side)) + " %", names[i]});
+  }
+  const SpoFile last(files.back(), names.back());
+  std::string summary =
+      align_columns(rows) + to_table(level_rows(trees.back(), last.level_bytes()));
+  char line[160];
+  std::snprintf(line, sizeof line, "%.3f s (read %.3f, build %.3f, state and write %.3f)\n",
+                elapsed.seconds(), read_s, build_s, elapsed.seconds() - read_s - build_s);
+  summary += line;
+  if (arguments.output == "-") {
+    std::fputs(summary.c_str(), stderr);
+  } else {
+    print(summary);
+  }
+}
+
+}  // namespace spoctree
