@@ -5,6 +5,7 @@
 
 #include "common/base/errors.hpp"
 #include "tools/model/blocks.hpp"
+#include "tools/model/buildings.hpp"
 #include "tools/model/mechanical_piece.hpp"
 #include "tools/model/round_solids.hpp"
 
@@ -48,6 +49,14 @@ const std::array kModels{
               "80 x 80 x 60 mm, a saddle vertex in the middle of its top",
               {},
               of_one_size<make_saddle>},
+    ModelInfo{"house-plan",
+              "three rooms with doors and a service hatch, 10 x 8 m, to be drawn from inside",
+              {},
+              of_one_size<make_house_plan>},
+    ModelInfo{"city-block",
+              "eight buildings, one with an archway, around a court of 20 m",
+              {},
+              of_one_size<make_city_block>},
     ModelInfo{"sphere", "radius 50 mm, N bands of 2N planar faces", kBands, make_sphere},
     ModelInfo{"wavy-sphere", "the same with waves on it, 4N(N - 1) triangles: as uneven as a scan",
               kBands, make_wavy_sphere},

@@ -102,6 +102,23 @@ inline std::vector<Expectation> expectations() {
       {"nested-boxes", {}, 4, 0, 24, 1e6 - 60.0 * 60 * 60 + 30.0 * 30 * 30 - 10.0 * 10 * 10},
       {"two-parts", {}, 2, 0, 14, 40.0 * 40 * 40 + 4.0 / 3 * 25 * 25 * 25},
       // Four triangular prisms over 1600 mm^2 each, corners 40, 60 and 20 mm high.
+      // Planes: 6 outside, 10 of the rooms, 5 of the doors, 4 of the hatch.
+      {"house-plan",
+       {},
+       2,
+       1,
+       25,
+       1e9 * (10 * 8 * 2.9 - 5.8 * 7.6 * 2.5 - 2 * 3.6 * 3.7 * 2.5 - 0.2 * 2.2 * 2.0 -
+              1.4 * 0.2 * 0.8)},
+      // Planes: 9 and 8 across x, 10 and 10 across y, 13 across z.
+      {"city-block",
+       {},
+       1,
+       1,
+       50,
+       1e9 * (60 * 60 * 0.5 + 12 * 24 * 15 + 12 * 10 * 30 + 20 * 12 * 12 + 8 * 16 * 21 +
+              12 * 18 * 18 - 12 * 4 * 5 + 8 * 6 * 9 + 22 * 8 * 24 + 10 * 8 * 9 + 10 * 8 * 18 +
+              4 * 4 * 2 + 2 * 2 * 8)},
       {"saddle", {}, 1, 0, 9, 4 * 1600.0 * (40 + 60 + 20) / 3},
       {"sphere", {}, 1, 0, 2 * 16 * 16, sphere_volume(16)},
       {"wavy-sphere", {}, 1, 0, 4 * 16 * 15, wavy_sphere_volume(16)},
