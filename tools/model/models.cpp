@@ -8,6 +8,7 @@
 #include "tools/model/buildings.hpp"
 #include "tools/model/mechanical_piece.hpp"
 #include "tools/model/round_solids.hpp"
+#include "tools/model/test_objects.hpp"
 
 namespace spoctree::model {
 
@@ -62,6 +63,24 @@ const std::array kModels{
               kBands, make_wavy_sphere},
     ModelInfo{"cylinder", "radius 50 mm, 100 mm high, N sides", kSides, make_cylinder},
     ModelInfo{"cone", "radius 50 mm, 100 mm high, N sides", kSides, make_cone},
+    ModelInfo{"slice", "100 x 25 x 100 mm", {}, of_one_size<make_slice>},
+    ModelInfo{"pyramid", "over a square of 100 mm, 100 mm high", {}, of_one_size<make_pyramid>},
+    ModelInfo{"wedge",
+              "a pyramid's frustum, squares of 50 and 10 mm 40 mm apart",
+              {},
+              of_one_size<make_wedge>},
+    ModelInfo{"octagonal-prism", "100 mm wide, 100 mm high", {}, of_one_size<make_octagonal_prism>},
+    ModelInfo{"rectangular-prism",
+              "50 mm wide, over a leaning parallelogram, 100 mm high",
+              {},
+              of_one_size<make_rectangular_prism>},
+    ModelInfo{
+        "arc", "a quarter of a ring, radii 25 and 50 mm, arcs in N parts", {1, 500, 16}, make_arc},
+    ModelInfo{"small-cube", "12.5 mm wide", {}, of_one_size<make_small_cube>},
+    ModelInfo{"self-occluding",
+              "a plate with four posts, and between them a cylinder of N sides",
+              {3, 200, 32},
+              make_self_occluding},
 };
 
 }  // namespace
