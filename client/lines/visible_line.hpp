@@ -42,7 +42,8 @@ struct VisibleLine {
   Vec3 b{0.0};
   LineKind kind = LineKind::Crease;
   bool hidden = false;  ///< behind material: only there if LineOptions ask for hidden lines
-  /// One of its faces is a cell wall: a step of the frontier, which later levels take away.
+  /// One of its faces is a cell wall, and not all of the tree is there: a step of the frontier,
+  /// which later levels take away.
   bool is_step = false;
   LineSource source;   ///< of its longest stretch
   PlaneRef planes[2];  ///< of its longest stretch

@@ -84,13 +84,18 @@ void keep_what_is_in_front(std::vector<CreasePart>& parts, const Creases& crease
                 [](const CreasePart& part) { return !(part.interval.begin < part.interval.end); });
 }
 
-bool is_asked_for(const Crease& crease, const Creases& creases, LineKind kind,
+/// Of T_k alone, that is while GREY nodes wait for their children: in a complete tree, faces in
+/// cell walls are there to stay (a classical octree has no others).
+bool is_step(const LineScene& scene, const Crease& crease) {
+  if (scene.tree().levels[scene.level()].grey_count == 0) return false;
+  const auto sides = scene.creases().sides_of(crease);
+  return std::any_of(sides.begin(), sides.end(),
+                     [](const CreaseSide& side) { return side.plane.is_wall(); });
+}
+
+bool is_asked_for(const LineScene& scene, const Crease& crease, LineKind kind,
                   const LineOptions& options) {
-  const auto sides = creases.sides_of(crease);
-  if (std::any_of(sides.begin(), sides.end(),
-                  [](const CreaseSide& side) { return side.plane.is_wall(); })) {
-    return options.with_steps;
-  }
+  if (is_step(scene, crease)) return options.with_steps;
   return kind == LineKind::Crease ? options.with_creases : options.with_silhouettes;
 }
 
@@ -120,8 +125,8 @@ class LineMaker {
     std::size_t count = 0;
     for (const CreaseSide& side : scene_.creases().sides_of(crease)) {
       if (count < 2) line.planes[count++] = side.plane;
-      line.is_step |= side.plane.is_wall();
     }
+    line.is_step = is_step(scene_, crease);
     return line;
   }
 
@@ -169,7 +174,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
     if (!is_seen && !options.with_hidden_lines) continue;
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
     kinds[k] = silhouette ? LineKind::Silhouette : LineKind::Crease;
-    if (!is_asked_for(crease, creases, kinds[k], options)) continue;
+    if (!is_asked_for(scene, crease, kinds[k], options)) continue;
     if (!silhouette && options.crease_angle_deg > 0 &&
         crease_angle_deg(crease, creases, planes) < options.crease_angle_deg) {
       continue;
