@@ -33,6 +33,23 @@ PolygonMesh make_octahedron() {
   return faces.mesh();
 }
 
+PolygonMesh make_diamond() {
+  FaceList faces;
+  // The face towards u + v is a rhombus: its far corners on those axes, its near ones on a cube.
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double a : {1.0, -1.0}) {
+      for (const double b : {1.0, -1.0}) {
+        glm::dvec3 u(0), v(0), w(0);
+        u[axis] = 50 * a;
+        v[(axis + 1) % 3] = 50 * b;
+        w[(axis + 2) % 3] = 50 * a * b;
+        faces.add({u, 0.5 * (u + v - w), v, 0.5 * (u + v + w)});
+      }
+    }
+  }
+  return faces.mesh();
+}
+
 PolygonMesh make_l_bracket() {
   FaceList faces;
   faces.add_prism({{0, 0}, {80, 0}, {80, 20}, {20, 20}, {20, 60}, {0, 60}}, 0, 40);

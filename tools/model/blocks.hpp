@@ -11,6 +11,10 @@ PolygonMesh make_cube();
 /// Its six corners 50 mm from the origin, on the axes.
 PolygonMesh make_octahedron();
 
+/// A rhombic dodecahedron: all that is seen as a square on its corner, of 100 mm from corner to
+/// corner, along each of the axes.
+PolygonMesh make_diamond();
+
 /// An L of 80 x 60 mm with legs 20 mm thick, extruded 40 mm: one concave edge.
 PolygonMesh make_l_bracket();
 

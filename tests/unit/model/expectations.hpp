@@ -96,6 +96,8 @@ inline std::vector<Expectation> expectations() {
       {"mechanical-piece", {}, 1, 3, 43, mechanical_piece_volume()},
       {"cube", {}, 1, 0, 6, 100.0 * 100 * 100},
       {"octahedron", {}, 1, 0, 8, 4.0 / 3 * 50 * 50 * 50},
+      // A cube of 50 mm, and on each of its faces a pyramid of a sixth of it.
+      {"diamond", {}, 1, 0, 12, 2 * 50.0 * 50 * 50},
       {"l-bracket", {}, 1, 0, 8, 40.0 * (80 * 20 + 20 * 40)},
       // The windows' long walls share their planes: 6 + 2 + 2 * 2.
       {"double-torus", {}, 1, 2, 12, 20.0 * (100 * 60 - 2 * 20 * 20)},
