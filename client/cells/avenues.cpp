@@ -70,7 +70,7 @@ class Walker {
   /// An opening as this viewer sees it; found when an avenue first comes to it.
   struct Seen {
     bool is_known = false;
-    int side = 0;  ///< of the viewer, with respect to the opening's plane; 0: it is seen edge-on
+    int side = 0;  ///< of the viewer, with respect to the plane; 0: seen edge-on, or too thin
     std::uint32_t first_corner = 0;
     Rectangle box;
   };
@@ -120,6 +120,7 @@ class Walker {
     bool is_in_front = true;
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     seen.box = {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
+    in_picture_.clear();
     for (std::size_t k = 0; k < corners.size(); ++k) {
       // Counter-clockwise for this viewer.
       const Vec3 corner = corners[seen.side > 0 ? k : corners.size() - 1 - k];
@@ -128,15 +129,33 @@ class Walker {
       is_in_front &= at.w >= camera_.least_depth();
       if (!is_in_front) continue;
       const Vec2 in_picture{at.x / at.w, at.y / at.w};
+      in_picture_.push_back({in_picture, {}});
       seen.box.lower = glm::min(seen.box.lower, in_picture);
       seen.box.upper = glm::max(seen.box.upper, in_picture);
     }
     if (!is_in_front) seen.box = {{-kInfinity, -kInfinity}, {kInfinity, kInfinity}};
+    if (is_in_front && is_too_thin(in_picture_, thinnest_)) {
+      seen.side = 0;
+      return seen;
+    }
     SightOpening::Corner* const own = &corners_[seen.first_corner];
     for (std::size_t k = 0; k < corners.size(); ++k) {
       own[k].line = sight_line(own[k].at, own[k + 1 == corners.size() ? 0 : k + 1].at);
+      touch(own[k].line, {own, corners.size()});
     }
     return seen;
+  }
+
+  /// Moves a line outwards until no corner is beyond it. Where planes meet in a vertex of the
+  /// solid, openings have edges as short as rounding, whose directions mean nothing: they must not
+  /// cut.
+  void touch(SightLine& line, std::span<const SightOpening::Corner> corners) const {
+    double farthest = 0;
+    for (const SightOpening::Corner& corner : corners) {
+      if (corner.at.w < camera_.least_depth()) continue;
+      farthest = std::min(farthest, line(corner.at) / corner.at.w);
+    }
+    line.c -= farthest;
   }
 
   /// What of the mask goes on through no opening is done.
@@ -241,7 +260,7 @@ class Walker {
   std::vector<SightMask::Corner> masks_;
   // Working memory.
   MaskClipper clipper_;
-  std::vector<SightMask::Corner> mask_;
+  std::vector<SightMask::Corner> mask_, in_picture_;
   SightMask next_;
 };
 

@@ -43,8 +43,6 @@ double area_of(std::span<const SightMask::Corner> mask) {
   return 0.5 * twice_area;
 }
 
-namespace {
-
 bool is_too_thin(std::span<const SightMask::Corner> mask, double thinnest) {
   if (mask.size() < 3) return true;
   double around = 0;
@@ -54,8 +52,6 @@ bool is_too_thin(std::span<const SightMask::Corner> mask, double thinnest) {
   // A strip of length l and width w has the area l w, and is 2 l around.
   return !(2 * area_of(mask) > thinnest * around);
 }
-
-}  // namespace
 
 /// Of `polygon_`. Corners that are cut off become one at either end of the cut.
 void MaskClipper::cut(const SightLine& line) {

@@ -45,6 +45,8 @@ struct SightMask {
 
 SightMask mask_of(const Rectangle& frame);
 double area_of(std::span<const SightMask::Corner> mask);
+/// True if it is nowhere wider than `thinnest`, up to a factor of two.
+bool is_too_thin(std::span<const SightMask::Corner> mask, double thinnest);
 
 /// An opening as the viewer sees it: counter-clockwise, partly behind the viewer or not.
 struct SightOpening {
