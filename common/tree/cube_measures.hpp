@@ -12,4 +12,8 @@ namespace spoctree {
 /// REQUIRES: a complete, valid tree of WHITE, BLACK and GREY nodes without planes.
 void measure_cubes(Octree& tree);
 
+/// The BLACK leaves that have a part of the boundary: all but those with full neighbours on all six
+/// sides (the "graphics nodes" of Veenstra and Ahuja, ACM TOG 1988). O(nodes). REQUIRES: as above.
+std::uint64_t count_exposed_cubes(const Octree& tree);
+
 }  // namespace spoctree

@@ -49,6 +49,8 @@ std::shared_ptr<BenchmarkModel> wavy_sphere_model(int bands);
 
 /// Registers each benchmark of a file for a model, as "stage/model".
 void register_pipeline_benchmarks(const std::shared_ptr<BenchmarkModel>& model);
+/// Of a .spo file: rebuilding, and drawing from `Camera()`, as "tree-STAGE/NAME".
+void register_tree_benchmarks(const std::string& spo_path);
 void register_drawing_benchmarks(const std::shared_ptr<BenchmarkModel>& model);
 
 }  // namespace spoctree

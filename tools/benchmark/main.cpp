@@ -1,5 +1,6 @@
 // Runs the benchmarks on mesh files, or on spheres where none is given.
-// Usage: spoctree-benchmark [--benchmark_filter=REGEX ...] [--peers-up-to=FACES] [MESH...]
+// Usage: spoctree-benchmark [--benchmark_filter=REGEX ...] [--peers-up-to=FACES] [MESH|SPO...]
+// A .spo file is rebuilt and drawn, by one thread.
 // Times are those of the wall and, as `CPU`, of all threads together. --peers-up-to is for the
 // peers whose time is quadratic: OpenCASCADE's drawings, if it was there when this was built.
 #include <benchmark/benchmark.h>
@@ -31,6 +32,7 @@ int main(int argc, char** argv) {
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
   double peers_up_to = 100'000;
   std::vector<std::shared_ptr<BenchmarkModel>> models;
+  bool has_trees = false;
   for (int i = 1; i < argc; ++i) {
     const std::string_view argument = argv[i];
     if (argument.starts_with(kPeersUpTo)) {
@@ -40,11 +42,14 @@ int main(int argc, char** argv) {
         std::fprintf(stderr, "spoctree-benchmark: %s: not a number of faces\n", argv[i]);
         return 2;
       }
+    } else if (argument.ends_with(".spo")) {
+      has_trees = true;
+      register_tree_benchmarks(argv[i]);
     } else {
       models.push_back(mesh_file_model(argv[i]));
     }
   }
-  if (models.empty()) {
+  if (models.empty() && !has_trees) {
     for (const int bands : {16, 32, 64, 128}) models.push_back(wavy_sphere_model(bands));
   }
   for (const auto& model : models) {

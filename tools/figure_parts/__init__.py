@@ -1,0 +1,1 @@
+"""The figures of tools/figures, a module for each paper."""
