@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <map>
 
@@ -84,7 +85,7 @@ std::vector<std::uint32_t> cells_with(const EmptySpace& space, Vec3 point, bool 
   return found;
 }
 
-/// Points anywhere, on walls, and at corners of cells.
+/// Points anywhere, on walls, and at corners of cells (rounded, but within the universe cube).
 std::vector<Vec3> sample_points(const EmptySpace& space, std::uint64_t seed) {
   Random random(seed);
   const double half = space.tree().universe.half_side;
@@ -99,7 +100,7 @@ std::vector<Vec3> sample_points(const EmptySpace& space, std::uint64_t seed) {
     points.push_back(point);
   }
   for (std::size_t cell = 0; cell < space.cells().size(); cell += 1 + space.cells().size() / 20) {
-    points.push_back(space.cells()[cell].vertices[0].position);
+    points.push_back(glm::clamp(space.cells()[cell].vertices[0].position, -half, half));
   }
   return points;
 }
