@@ -1,0 +1,74 @@
+// Ten real solids, from outside and, where they have cavities or holes, from within: avenues of
+// sight show what is seen from front to back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "client/cells/cell_scene.hpp"
+#include "client/lines/extent.hpp"
+#include "server/build/build_octree.hpp"
+#include "server/mesh/read_mesh.hpp"
+#include "server/solid/import_solid.hpp"
+#include "tests/support/compare_drawings.hpp"
+#include "tests/support/eyes_within.hpp"
+#include "tests/support/meshes_folder.hpp"
+
+namespace spoctree {
+namespace {
+
+namespace fs = std::filesystem;
+
+class MethodsCorpus : public testing::TestWithParam<const char*> {};
+
+void expect_same(const LineScene& scene, const CellScene& cells, const Camera& camera,
+                 const Rectangle& frame) {
+  LineOptions options;
+  options.frame = frame;
+  const VisibleLines front = visible_lines(scene, camera, options);
+  options.find_seen_parts = cells.finder();
+  const VisibleLines seen = visible_lines(scene, camera, options);
+  const auto difference = compare_drawings(front, seen, camera, frame, 1e-6 * scene.diagonal());
+  EXPECT_GT(difference.length, 0);
+  EXPECT_EQ(difference.only_first, 0);
+  EXPECT_EQ(difference.only_second, 0);
+  for (const std::string& fault : difference.faults) ADD_FAILURE() << fault;
+}
+
+TEST_P(MethodsCorpus, DrawTheSame) {
+  if (meshes_folder() == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
+  const fs::path path = fs::path(meshes_folder()) / GetParam();
+  const Solid solid = import_solid(read_mesh(path), path.string(), {});
+  const Octree tree = build_octree(solid, SolidQueries(solid), {}).tree;
+  const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);
+  for (const std::uint32_t level : {last / 2, last}) {
+    SCOPED_TRACE("level " + std::to_string(level));
+    const LineScene scene(tree, rebuild_surface(tree, level), level);
+    const CellScene cells(scene);
+    for (const Camera& camera :
+         {Camera(), Camera(Vec3{0, -1, 0}), Camera::perspective({2.1, -3.3, 1.7}, {0, 0, 0})}) {
+      expect_same(scene, cells, camera, extent_of_universe(tree.universe, camera));
+    }
+    for (const EyeWithin& eye : eyes_within(cells.space(), 2)) {
+      const Camera camera = Camera::perspective(eye.at, eye.at + Vec3{0.4, 0.7, -0.2});
+      const double half = 1.5 * camera.focal_length();
+      expect_same(scene, cells, camera, {{-half, -half}, {half, half}});
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Models, MethodsCorpus,
+    testing::Values("nested/openscad-projection_cavity_4160f.stl",
+                    "nested/y-belt-tensioner_5cavities_2366f.stl", "polygons/3torus_quads_23f.off",
+                    "polygons/hole_quads_28f.off", "cad/anchor_1050f.off", "cad/spool_1294f.off",
+                    "cad/couplingdown_3714f.off", "high-genus/helmet_1000f.off",
+                    "multi/eryone-er20_792f.stl", "scan/stanford-bunny-filled_998f.off"),
+    [](const auto& tested) {
+      std::string name = fs::path(tested.param).stem().string();
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+}  // namespace
+}  // namespace spoctree
