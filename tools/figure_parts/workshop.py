@@ -13,6 +13,7 @@ PROGRAMS = {
     "spoctree-server": "server",
     "spoctree-client": "client",
     "spoctree-benchmark": "tools/benchmark",
+    "compare_methods": "tests",
 }
 
 
