@@ -32,6 +32,9 @@ class Merger {
   MergedCells run() {
     const std::size_t before = cells_.size();
     merged_into_.assign(before, kNone);
+    std::size_t faces = 0;
+    for (const Polyhedron& cell : cells_) faces += cell.faces.size();
+    cell_at_.reserve(faces);
     for (std::uint32_t cell = 0; cell < before; ++cell) {
       progress_.add(0.5 * per_item(before));
       add_faces(cell);
@@ -64,39 +67,28 @@ class Merger {
     }
   };
 
-  struct Key {
-    std::uint64_t plane;
-    std::int64_t box[6];
-    bool operator==(const Key&) const = default;
-  };
-  struct KeyHash {
-    std::size_t operator()(const Key& key) const {
-      std::uint64_t hash = key.plane * 0x9E3779B97F4A7C15u;
-      for (const std::int64_t side : key.box) {
-        hash = (hash ^ (hash >> 29) ^ static_cast<std::uint64_t>(side)) * 0xBF58476D1CE4E5B9u;
-      }
-      return hash ^ (hash >> 32);
-    }
-  };
-
   /// Off the middle between steps, where walls often are.
   static std::int64_t step_of(double coordinate) {
     return static_cast<std::int64_t>(std::floor(coordinate / kBoxStep + 0.3819660113));
   }
 
-  Key key_of(const Polyhedron& cell, const Polyhedron::Face& face) const {
+  /// Of a face's place: its plane's name, turned as asked, and its box.
+  static std::uint64_t key_of(const Polyhedron& cell, const Polyhedron::Face& face,
+                              PlaneRef plane) {
     Vec3 lower(2.0);
     Vec3 upper(-2.0);
     for (const Polyhedron::Corner& corner : cell.loop(face)) {
       lower = glm::min(lower, cell.vertices[corner.vertex].position);
       upper = glm::max(upper, cell.vertices[corner.vertex].position);
     }
-    Key key{face.plane.code(), {}};
-    for (int axis = 0; axis < 3; ++axis) {
-      key.box[axis] = step_of(lower[axis]);
-      key.box[3 + axis] = step_of(upper[axis]);
+    std::uint64_t key = plane.code() * 0x9E3779B97F4A7C15u;
+    for (const Vec3 corner : {lower, upper}) {
+      for (int axis = 0; axis < 3; ++axis) {
+        key = (key ^ (key >> 29) ^ static_cast<std::uint64_t>(step_of(corner[axis]))) *
+              0xBF58476D1CE4E5B9u;
+      }
     }
-    return key;
+    return key ^ (key >> 32);
   }
 
   static double area_of(const Polyhedron& cell, const Polyhedron::Face& face) {
@@ -113,13 +105,16 @@ class Merger {
   /// Where another cell has a face in the same place, on the other side, they may be merged.
   void add_faces(std::uint32_t cell) {
     for (const Polyhedron::Face& face : cells_[cell].faces) {
-      Key key = key_of(cells_[cell], face);
-      cell_at_[key] = cell;
-      key.plane = face.plane.flipped().code();
-      const auto found = cell_at_.find(key);
+      cell_at_[key_of(cells_[cell], face, face.plane)] = cell;
+      const auto found = cell_at_.find(key_of(cells_[cell], face, face.plane.flipped()));
       if (found == cell_at_.end() || merged_into_[found->second] != kNone) continue;
       shared_.push({area_of(cells_[cell], face), cell, found->second, face.plane});
     }
+  }
+
+  static bool has_face(const Polyhedron& cell, PlaneRef plane) {
+    return std::any_of(cell.faces.begin(), cell.faces.end(),
+                       [&](const Polyhedron::Face& face) { return face.plane == plane; });
   }
 
   /// All of the cell is inside the planes of the other one, but for the shared one.
@@ -141,7 +136,8 @@ class Merger {
   bool make_union(const Shared& shared) {
     const Polyhedron& first = cells_[shared.first];
     const Polyhedron& second = cells_[shared.second];
-    if (!is_inside(second, first, shared.plane) ||
+    if (!has_face(second, shared.plane.flipped()) ||  // another place with the same key
+        !is_inside(second, first, shared.plane) ||
         !is_inside(first, second, shared.plane.flipped())) {
       return false;
     }
@@ -194,7 +190,7 @@ class Merger {
   Polyhedron universe_;
   std::vector<Polyhedron> cells_;
   std::vector<std::uint32_t> merged_into_;
-  std::unordered_map<Key, std::uint32_t, KeyHash> cell_at_;
+  std::unordered_map<std::uint64_t, std::uint32_t> cell_at_;  // by the key of a face
   std::priority_queue<Shared> shared_;
   PolyhedronClipper clipper_;
   Polyhedron union_;
