@@ -12,7 +12,7 @@ DRAWINGS = {
     "classical-7-sphere": ("sphere", (64,), "0.55,-0.71,0.44"),
     "classical-8-pyramid": ("pyramid", (), "0.55,-0.71,0.44"),
     "classical-10-self-occluding": ("self-occluding", (64,), "0.55,-0.71,0.6"),
-    "classical-11-diamond": ("diamond", (), "0.55,-0.71,0.44"),
+    "classical-11-diamond": ("diamond", (), "1,-0.5,0.2"),
 }
 
 DRAWN_DEPTH = 6
