@@ -10,6 +10,7 @@
 #include "client/draw/write_png.hpp"
 #include "client/draw/write_svg.hpp"
 #include "common/base/errors.hpp"
+#include "common/program/output.hpp"
 
 namespace spoctree {
 
@@ -25,17 +26,20 @@ constexpr FormatName kFormats[] = {{"svg", DrawFormat::Svg},   {"pdf", DrawForma
                                    {"plt", DrawFormat::Hpgl}};
 constexpr double kDefaultDpi = 200;
 
+std::string in_small_letters(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  }
+  return text;
+}
+
 /// Of a file's name, without its point and in small letters; empty for folders.
 std::string extension_in(const std::string& output) {
   std::error_code error;
   if (std::filesystem::is_directory(output, error)) return "";
   std::string extension = std::filesystem::path(output).extension().string();
   if (extension.size() <= 1) return "";
-  extension.erase(0, 1);
-  for (char& c : extension) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  }
-  return extension;
+  return in_small_letters(extension.substr(1));
 }
 
 /// What a format has room for.
@@ -66,8 +70,8 @@ std::string extension_of(DrawFormat format) {
 }
 
 DrawFormat choose_format(const DrawArguments& arguments) {
-  const std::string wanted =
-      arguments.format.empty() ? extension_in(arguments.output) : arguments.format;
+  const std::string wanted = arguments.format.empty() ? extension_in(arguments.output)
+                                                      : in_small_letters(arguments.format);
   if (wanted.empty()) return DrawFormat::Svg;
   for (const FormatName& known : kFormats) {
     if (wanted == known.name) return known.format;
@@ -84,6 +88,10 @@ void check(const DrawArguments& arguments) {
     throw UsageError("-o or --html is required");
   if (!arguments.html.empty() && arguments.html == arguments.output)
     throw UsageError("-o and --html name the same file");
+  for (const std::string& output : {arguments.output, arguments.html}) {
+    if (!output.empty() && are_one_file(arguments.stream.source, output))
+      throw UsageError(output + ": the drawing would be written over the model itself");
+  }
   if (arguments.output.empty() && !arguments.format.empty())
     throw UsageError("--format is for -o; what --html writes is always HTML");
   check(arguments.view);

@@ -34,6 +34,9 @@ class Joints {
   /// For each end, that of the line which goes on there, or kNone.
   const std::vector<std::uint32_t>& partners() const { return partners_; }
 
+  /// How sharp the corner is in which two ends meet: from -1, straight on, to 1, back again.
+  double turn(std::uint32_t a, std::uint32_t b) const { return glm::dot(way_out(a), way_out(b)); }
+
  private:
   /// Ends with no gap between them along x, and of these those with none along y, meet.
   void split(std::span<std::uint32_t> ends, int axis) {
@@ -57,7 +60,7 @@ class Joints {
     for (const std::uint32_t a : ends) {
       for (const std::uint32_t b : ends) {
         if (a < b && a / 2 != b / 2 && glm::distance(ends_[a], ends_[b]) <= tolerance_)
-          turns.emplace_back(glm::dot(way_out(a), way_out(b)), a, b);
+          turns.emplace_back(turn(a, b), a, b);
       }
     }
     // Those that leave in opposite directions first.
@@ -84,8 +87,27 @@ VisibleLine beginning_at(const VisibleLines& lines, std::uint32_t end) {
   return end % 2 == 1 ? reversed(lines[end / 2]) : lines[end / 2];
 }
 
-std::vector<VisibleLines> chains_of(const VisibleLines& lines,
-                                    const std::vector<std::uint32_t>& partners) {
+/// Where a line of a circle begins that comes after its sharpest corner: what is straight has its
+/// ends apart.
+std::uint32_t beginning_of_circle(const Joints& joints, std::uint32_t end) {
+  const std::vector<std::uint32_t>& partners = joints.partners();
+  std::uint32_t sharpest = end;
+  double most = -2;
+  std::uint32_t at = end;
+  do {
+    const std::uint32_t next = partners[at ^ 1];
+    const double turn = joints.turn(at ^ 1, next);
+    if (turn > most) {
+      most = turn;
+      sharpest = next;
+    }
+    at = next;
+  } while (at != end);
+  return sharpest;
+}
+
+std::vector<VisibleLines> chains_of(const VisibleLines& lines, const Joints& joints) {
+  const std::vector<std::uint32_t>& partners = joints.partners();
   std::vector<VisibleLines> chains;
   std::vector<bool> done(lines.size(), false);
   const auto follow = [&](std::uint32_t end) {
@@ -100,7 +122,7 @@ std::vector<VisibleLines> chains_of(const VisibleLines& lines,
   }
   // What is left runs round in circles.
   for (std::uint32_t line = 0; line < lines.size(); ++line) {
-    if (!done[line]) follow(2 * line);
+    if (!done[line]) follow(beginning_of_circle(joints, 2 * line));
   }
   return chains;
 }
@@ -143,7 +165,7 @@ VisibleLines in_short_order(const std::vector<VisibleLines>& chains, const Camer
 
 VisibleLines in_chains(const VisibleLines& lines, const Camera& camera, double tolerance) {
   const Joints joints(lines, camera, tolerance);
-  return in_short_order(chains_of(lines, joints.partners()), camera);
+  return in_short_order(chains_of(lines, joints), camera);
 }
 
 }  // namespace spoctree

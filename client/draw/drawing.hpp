@@ -61,7 +61,7 @@ struct Drawing {
 /// "x=12.5", in model coordinates. The same for both sides of a plane.
 std::string name_of(PlaneRef plane, const Universe& universe);
 
-/// "convex", ...; "/inherited" follows if both planes stand in upper levels.
+/// "convex", ...; "/inherited" follows if neither plane stands in that node itself.
 std::string name_of(const LineSource& source);
 
 }  // namespace spoctree

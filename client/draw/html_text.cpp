@@ -82,11 +82,11 @@ const char* const kHtmlScript = R"((() => {
   const keys = { ArrowLeft: () => shown - 1, ArrowRight: () => shown + 1, Home: () => 0,
                  End: () => last };
   document.addEventListener("keydown", (event) => {
-    if (event.ctrlKey || event.altKey || event.metaKey || event.target === slider) return;
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
     if (event.key === " " && event.target !== button) {
       event.preventDefault();
       play();
-    } else if (keys[event.key]) {
+    } else if (keys[event.key] && event.target !== slider) {
       event.preventDefault();
       stop();
       show(keys[event.key]());

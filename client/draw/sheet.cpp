@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <tuple>
 
 #include "client/draw/chain_lines.hpp"
 #include "client/draw/clip_lines.hpp"
 #include "client/draw/lettering.hpp"
+#include "client/draw/straight_way.hpp"
+#include "common/geometry/tolerances.hpp"
 
 namespace spoctree {
 
@@ -18,8 +21,6 @@ constexpr double kLetterMm = 3.5;
 constexpr double kCaptionMm = 7;  ///< a caption and the gap above it
 constexpr double kSymbolMm = 7;
 constexpr double kFootMm = 10;  ///< the symbol and the gap above it
-/// On the page, points nearer than this are one, and such a corner is none.
-constexpr double kTouchMm = 1e-6;
 
 Vec2 size_of(const View& view) { return view.frame.upper - view.frame.lower; }
 
@@ -143,6 +144,7 @@ struct Placement {
   Vec2 picture{0.0};  ///< this point of the picture
   Vec2 page_mm{0.0};  ///< comes here
   double mm_per_unit = 1;
+  double touch_mm = 0;  ///< points nearer than this are one, lines as straight as this are so
 
   Vec2 operator()(Vec2 at) const {
     return {page_mm.x + (at.x - picture.x) * mm_per_unit,
@@ -150,35 +152,22 @@ struct Placement {
   }
 };
 
-bool goes_straight_on(Vec2 a, Vec2 b, Vec2 c) {
-  const Vec2 way = c - a;
-  const double length = glm::length(way);
-  const Vec2 to_corner = b - a;
-  const double across = (way.x * to_corner.y - way.y * to_corner.x) / length;
-  const double along = glm::dot(way, to_corner) / length;
-  return length > 0 && std::abs(across) < kTouchMm && along > 0 && along < length;
-}
-
 /// The run of the group's last stroke goes on to `end` if it ends at `begin`.
-bool extend_run(StrokeGroup& group, Vec2 begin, Vec2 end) {
-  if (group.strokes.empty() || glm::distance(group.points.back(), begin) > kTouchMm) return false;
-  Stroke& stroke = group.strokes.back();
-  Vec2* const last = &group.points.back();
-  if (stroke.end - stroke.begin >= 2 && goes_straight_on(last[-1], last[0], end)) {
-    *last = end;
-  } else {
-    group.points.push_back(end);
-    ++stroke.end;
-  }
+bool extend_run(StrokeGroup& group, Vec2 begin, Vec2 end, double touch_mm) {
+  if (group.strokes.empty() || glm::distance(group.points.back(), begin) > touch_mm) return false;
+  group.points.push_back(end);
+  ++group.strokes.back().end;
   return true;
 }
 
 /// Dashes run on while the pen does.
 class Dashes {
  public:
+  explicit Dashes(double touch_mm) : touch_mm_(touch_mm) {}
+
   /// How long the pen has been going on at `begin`.
   double draw(Vec2 begin, Vec2 end) {
-    if (!at_ || glm::distance(*at_, begin) > kTouchMm) drawn_ = 0;
+    if (!(glm::distance(at_, begin) <= touch_mm_)) drawn_ = 0;
     const double before = drawn_;
     drawn_ += glm::distance(begin, end);
     at_ = end;
@@ -186,7 +175,8 @@ class Dashes {
   }
 
  private:
-  std::optional<Vec2> at_;
+  double touch_mm_;
+  Vec2 at_{std::numeric_limits<double>::quiet_NaN()};
   double drawn_ = 0;
 };
 
@@ -203,13 +193,14 @@ Run first_run(std::span<const VisibleLine> lines, const View& view, const Placem
   Run run;
   double longest = -1;
   std::size_t count = 0;
+  std::optional<StraightWay> way;
   for (const VisibleLine& line : lines) {
     const Vec2 begin = on_page(view.camera.project(line.a));
     const Vec2 end = on_page(view.camera.project(line.b));
     if (count == 0) {
       run.begin = begin;
-    } else if (glm::distance(run.end, begin) > kTouchMm ||
-               !goes_straight_on(run.begin, run.end, end)) {
+      way.emplace(begin, end, on_page.touch_mm);
+    } else if (glm::distance(run.end, begin) > on_page.touch_mm || !way->go_on_to(end)) {
       break;
     }
     run.end = end;
@@ -237,7 +228,7 @@ void add_planes(StrokeGroup& group, const Run& run) {
 
 void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines, const View& view,
                const Placement& on_page, LineData data) {
-  Dashes dashes;
+  Dashes dashes(on_page.touch_mm);
   const StrokeGroup* last_group = nullptr;
   for (std::span<const VisibleLine> left = lines; !left.empty();) {
     const Run run = first_run(left, view, on_page);
@@ -248,7 +239,7 @@ void add_lines(GroupCollector& groups, const Pen& pen, const VisibleLines& lines
     // Dashes do not run on where the chain has been elsewhere in between.
     const bool may_be_joined = data != LineData::Planes && (!pen.hidden || last_group == &group);
     last_group = &group;
-    if (may_be_joined && extend_run(group, run.begin, run.end)) continue;
+    if (may_be_joined && extend_run(group, run.begin, run.end, on_page.touch_mm)) continue;
     const Vec2 ends[] = {run.begin, run.end};
     add_stroke(group, ends);
     if (data == LineData::Planes) add_planes(group, run);
@@ -291,13 +282,14 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
                    const SheetOptions& options) {
   const Grid grid(pictures, options.symbol.has_value());
   const PageLayout page = lay_out(grid.content(), universe.scale(), options.page);
+  const double touch = kJoinTolerance * 2 * std::sqrt(3.0) * universe.half_side;
   GroupCollector groups;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const View& view = pictures[k].view;
     const Vec2 middle = grid.middle_of(k, page);
-    const Placement on_page{0.5 * (view.frame.lower + view.frame.upper), middle, page.mm_per_unit};
-    for (const auto& [pen, lines] :
-         lines_by_pen(pictures[k], options.colour_by_kind, kTouchMm / page.mm_per_unit))
+    const Placement on_page{0.5 * (view.frame.lower + view.frame.upper), middle, page.mm_per_unit,
+                            touch * page.mm_per_unit};
+    for (const auto& [pen, lines] : lines_by_pen(pictures[k], options.colour_by_kind, touch))
       add_lines(groups, pen, lines, view, on_page, options.data);
     const double below = 0.5 * size_of(view).y * page.mm_per_unit + kCaptionMm;
     add_caption(groups, view.name, middle + Vec2{0, below}, grid.room_of(k, page));

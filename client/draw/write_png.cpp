@@ -1,6 +1,7 @@
 #include "client/draw/write_png.hpp"
 
 #include <cairo.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,6 +54,29 @@ void draw(cairo_t* context, const StrokeGroup& group, const Stroke& stroke) {
   cairo_stroke(context);
 }
 
+/// A PNG begins with a signature of 8 bytes and the chunk IHDR of 25.
+constexpr std::size_t kHeaderEnd = 33;
+
+void append_big_endian(std::string& bytes, std::uint32_t value) {
+  for (const int shift : {24, 16, 8, 0}) bytes += static_cast<char>(value >> shift & 0xff);
+}
+
+/// The chunk pHYs, which cairo does not write: pixels per metre, by which it is printed to scale.
+std::string density(double dpi) {
+  const auto per_metre = static_cast<std::uint32_t>(std::lround(dpi * 1000 / kMmPerInch));
+  std::string body = "pHYs";
+  append_big_endian(body, per_metre);
+  append_big_endian(body, per_metre);
+  body += '\1';
+  std::string chunk;
+  append_big_endian(chunk, static_cast<std::uint32_t>(body.size() - 4));
+  chunk += body;
+  append_big_endian(chunk,
+                    static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(body.data()),
+                                                     static_cast<uInt>(body.size()))));
+  return chunk;
+}
+
 cairo_status_t append(void* bytes, const unsigned char* data, unsigned length) {
   static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
   return CAIRO_STATUS_SUCCESS;
@@ -83,6 +107,7 @@ std::string to_png(const Drawing& drawing, double dpi) {
   check(cairo_status(context.get()));
   std::string png;
   check(cairo_surface_write_to_png_stream(surface.get(), append, &png));
+  png.insert(kHeaderEnd, density(dpi));
   return png;
 }
 

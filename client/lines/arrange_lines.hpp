@@ -13,9 +13,9 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance,
                         const ProgressShare& progress = {});
 
 /// Where lines lie on each other in the picture (up to `tolerance`, picture units), leaves only
-/// one: a visible line rather than a hidden one, else that whose middle is nearer. O(n) if lines
-/// are spread over the picture, however many lie on each other. REQUIRES: all lines are in front of
-/// the viewer.
+/// one: a visible line rather than a hidden one, a silhouette rather than a crease, else that whose
+/// middle is nearer. O(n) if lines are spread over the picture, however many lie on each other.
+/// REQUIRES: all lines are in front of the viewer.
 VisibleLines remove_overlaps(VisibleLines lines, const Camera& camera, double tolerance,
                              const ProgressShare& progress = {});
 

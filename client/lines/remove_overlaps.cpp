@@ -130,7 +130,7 @@ Interval overlap(const Trace& line, const Trace& kept, double tolerance) {
   return on_shorter;
 }
 
-/// The best lines first: visible ones, and of these the nearest.
+/// The best lines first: visible ones, of these the silhouettes, and of these the nearest.
 std::vector<std::uint32_t> in_order(const VisibleLines& lines, const Camera& camera) {
   std::vector<double> nearness;
   nearness.reserve(lines.size());
@@ -141,6 +141,7 @@ std::vector<std::uint32_t> in_order(const VisibleLines& lines, const Camera& cam
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](std::uint32_t p, std::uint32_t q) {
     if (lines[p].hidden != lines[q].hidden) return lines[q].hidden;
+    if (lines[p].kind != lines[q].kind) return lines[p].kind == LineKind::Silhouette;
     return nearness[p] != nearness[q] ? nearness[p] > nearness[q] : p < q;
   });
   return order;

@@ -20,7 +20,8 @@ enum class LineKind : std::uint8_t {
 struct LineSource {
   NodeKind kind = NodeKind::Grey;
   std::uint8_t level = 0;
-  /// Both of the line's planes stand in nodes above that one.
+  /// Neither of the line's planes stands in that node itself: but in nodes above it or, at a cell
+  /// wall, beside it.
   bool is_inherited = false;
 
   bool operator==(const LineSource&) const = default;

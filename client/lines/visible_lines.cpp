@@ -107,6 +107,9 @@ bool is_end_on(const Crease& crease, const Camera& camera) {
          kShortestLine * glm::length(way);
 }
 
+/// From either side.
+bool are_same_plane(PlaneRef a, PlaneRef b) { return a == b || a == b.flipped(); }
+
 class LineMaker {
  public:
   LineMaker(const LineScene& scene, std::vector<LineKind> kinds)
@@ -122,9 +125,11 @@ class LineMaker {
     line.b = at(part.interval.end);
     line.kind = kinds_[part.crease];
     line.hidden = hidden;
-    std::size_t count = 0;
-    for (const CreaseSide& side : scene_.creases().sides_of(crease)) {
-      if (count < 2) line.planes[count++] = side.plane;
+    // Where four faces meet, two of them may lie in one plane.
+    const auto sides = scene_.creases().sides_of(crease);
+    line.planes[0] = line.planes[1] = sides[0].plane;
+    for (const CreaseSide& side : sides) {
+      if (are_same_plane(line.planes[0], line.planes[1])) line.planes[1] = side.plane;
     }
     line.is_step = is_step(scene_, crease);
     return line;

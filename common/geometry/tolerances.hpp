@@ -46,8 +46,9 @@ inline constexpr double kFlatCrease = 1e-10;
 /// symmetric in single precision, and corners that merging has moved, lie as far apart.
 inline constexpr double kOverlapTolerance = 5e-7;
 
-/// Consecutive lines become one line if their joints stand off it by less than this.
-inline constexpr double kJoinTolerance = 1e-9;
+/// Consecutive lines become one line if their joints stand off it by less than this, in space or on
+/// paper: what was straight before it was written in single precision stands off by as much.
+inline constexpr double kJoinTolerance = 1e-7;
 
 /// What is nearer than this to the plane through the eye, across the axis of sight, is not drawn in
 /// a perspective (universe units).

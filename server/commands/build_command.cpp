@@ -37,15 +37,6 @@ std::string summarize(const BuildArguments& arguments, const Model& model, const
   return text + line;
 }
 
-/// What is written to a device is not lost in it by writing more.
-bool are_one_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  if (a == "-" || b == "-") return a == b;
-  const auto status = std::filesystem::status(a, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) return false;
-  return a == b || std::filesystem::equivalent(a, b, ignored);
-}
-
 /// Two things in one file would be one of them lost: at worst the user's mesh.
 void require_different_files(const BuildArguments& arguments) {
   const auto require = [](const std::string& a, const std::string& b, const char* what) {

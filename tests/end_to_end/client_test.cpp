@@ -1,7 +1,9 @@
 // spoctree-client, against the real server and against peers that misbehave.
 
 #include <gtest/gtest.h>
+
 #include <signal.h>
+#include <filesystem>
 
 #include <atomic>
 
@@ -333,6 +335,22 @@ TEST_F(Client, KnowsFormatsByExtensionsInCapitals) {
   const std::string out = folder_.file("OUT.PDF");
   EXPECT_EQ(run_client({"draw", piece(), "-o", out}).code, 0);
   EXPECT_EQ(read_file(out).substr(0, 5), "%PDF-");
+}
+
+TEST_F(Client, WritesNothingOverTheModelItself) {
+  const std::string model = piece();
+  const std::string link = folder_.file("the-same.spo");
+  std::filesystem::create_symlink(model, link);
+  for (const auto& arguments : std::vector<std::vector<std::string>>{
+           {"draw", model, "-o", model, "--format", "svg"},
+           {"draw", link, "-o", folder_.file("a.svg"), "--html", model},
+           {"draw", model, "--html", link},
+           {"rebuild", model, "-o", link}}) {
+    const Outcome outcome = run_client(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("over the model itself"), std::string::npos) << outcome.err;
+  }
+  EXPECT_EQ(read_file(model), spo_);
 }
 
 TEST_F(Client, DrawsATinyScaleIntoDxf) {

@@ -109,6 +109,22 @@ TEST(Sheet, WithDataEveryLineIsAStrokeOfItsSource) {
   EXPECT_EQ(planes[0][0], PlaneRef::of_table(5));
 }
 
+TEST(Sheet, CutsNoSideOfAClosedOutline) {
+  // A square whose lower side is two lines; the first of all lines is in its middle.
+  const Picture top =
+      picture("", {0, 0, 1}, {{0, 0}, {2, 2}},
+              {line({1, 0, 0}, {2, 0, 0}), line({2, 0, 0}, {2, 2, 0}), line({2, 2, 0}, {0, 2, 0}),
+               line({0, 2, 0}, {0, 0, 0}), line({0, 0, 0}, {1, 0, 0})});
+  SheetOptions bare = options();
+  bare.data = LineData::None;
+  const Drawing outline = make_sheet({&top, 1}, Universe{}, bare);
+  ASSERT_EQ(outline.groups[0].strokes.size(), 1U);
+  EXPECT_EQ(outline.groups[0].points.size(), 5U);  // back where it began
+  SheetOptions with_data = options();
+  with_data.data = LineData::Planes;
+  EXPECT_EQ(make_sheet({&top, 1}, Universe{}, with_data).groups[0].strokes.size(), 4U);
+}
+
 // Where a line ends at the middle of another one, that is still one line.
 TEST(Sheet, DoesNotTurnOffWhereALineGoesOn) {
   const Picture top =

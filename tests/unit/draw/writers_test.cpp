@@ -250,6 +250,11 @@ TEST(Png, HasTheSizeThatTheResolutionSays) {
   };
   EXPECT_EQ(number_at(16), 1000);
   EXPECT_EQ(number_at(20), 625);
+  // The chunk pHYs: 9 bytes, pixels per metre across and down, 1: metres.
+  EXPECT_EQ(png.substr(33, 8), std::string("\0\0\0\x09pHYs", 8));
+  EXPECT_EQ(number_at(41), 10000);
+  EXPECT_EQ(number_at(45), 10000);
+  EXPECT_EQ(png[49], '\1');
   EXPECT_EQ(png, to_png(sample_drawing(), 254));
 }
 

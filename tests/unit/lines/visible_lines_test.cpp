@@ -153,6 +153,18 @@ TEST(VisibleLines, ShowsSevenLinesOfACubeSeenAlongAFaceDiagonal) {
   EXPECT_EQ(draw(scene_of(box(1, 0, 0, 0, 1, 1, 1)), {1, 1, 0}).size(), 7u);
 }
 
+TEST(VisibleLines, KnowTwoPlanesThatMeetInTheLineAlsoWhereFourFacesMeet) {
+  // Two cells that touch in an edge only: the corners of a chess board.
+  const Voxels voxels{1, [](int x, int y, int) { return x == y; }};
+  for (const VisibleLine& line : draw(scene_of(voxels), {0.55, -0.71, 0.44})) {
+    const Octree tree = tree_of(voxels);
+    const Vec3 along = glm::normalize(line.b - line.a);
+    const Vec3 n = tree.plane_set()[line.planes[0]].normal;
+    const Vec3 m = tree.plane_set()[line.planes[1]].normal;
+    EXPECT_NEAR(std::abs(glm::dot(glm::cross(n, m), along)), 1, 1e-12);
+  }
+}
+
 TEST(VisibleLines, DrawsASolidBlockOfManyCellsAsOneCube) {
   const Scene scene = scene_of(box(4, 2, 2, 2, 10, 10, 10), false);
   const VisibleLines lines = draw(scene, {0.55, -0.71, 0.44});
