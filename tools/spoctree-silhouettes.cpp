@@ -7,6 +7,7 @@
 #include "common/program/run_program.hpp"
 #include "common/program/threads.hpp"
 #include "tools/silhouettes/build_command.hpp"
+#include "tools/silhouettes/experiment_command.hpp"
 #include "tools/silhouettes/render_command.hpp"
 
 namespace {
@@ -40,6 +41,9 @@ int main(int argc, char** argv) {
   render_command.add_option("--format", render.format, "pbm, pgm or png")
       ->transform(CLI::CheckedTransformer(kFormats))
       ->default_str("pgm");
+  render_command.add_flag("--square-pixels", render.square_pixels,
+                          "pixels as large as a face view's in all views: edge views are wider, "
+                          "corner views larger; without it, they are stretched");
   ThreadsOption render_threads(render_command);
   render_command.callback([&] {
     render_threads.apply();
@@ -72,12 +76,44 @@ int main(int argc, char** argv) {
                   "the smallest cells are full if so much of their pixels is")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  build_command
+      .add_option("--corner-fraction", build.corner_fraction,
+                  "the same for corner views, whose cells are hexagons of triangles")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   build_command.add_flag("--stages", build.stages,
                          "also write FILE-3.spo and so on, after the views of each kind");
   ThreadsOption build_threads(build_command);
   build_command.callback([&] {
     build_threads.apply();
     run_silhouette_build(build);
+  });
+
+  ExperimentArguments experiment;
+  CLI::App& experiment_command =
+      *app.add_subcommand("experiment", "repeat the evaluation of Ahuja and Veenstra (1989)");
+  experiment_command.add_option("-o,--output", experiment.folder,
+                                "a folder for the tables and charts");
+  experiment_command
+      .add_option("--orientations", experiment.options.orientations, "of each object")
+      ->check(CLI::Range(1, 10'000))
+      ->capture_default_str();
+  experiment_command.add_option("--seed", experiment.options.seed, "of the orientations")
+      ->capture_default_str();
+  experiment_command
+      .add_option("--size", experiment.options.size, "pixels in each row and column of face views")
+      ->check(CLI::Range(16, 1024))
+      ->capture_default_str();
+  experiment_command
+      .add_option("--corner-fraction", experiment.options.corner_fraction, "as for build")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
+  experiment_command.add_flag("--variants", experiment.variants,
+                              "also what other readings of the paper would give");
+  ThreadsOption experiment_threads(experiment_command);
+  experiment_command.callback([&] {
+    experiment_threads.apply();
+    run_experiment_command(experiment);
   });
 
   return run_program(app, argc, argv);

@@ -155,9 +155,10 @@ int depth_of_pixels(std::span<const Silhouette> silhouettes) {
   int of_faces = 0;
   int of_all = 0;
   for (const Silhouette& silhouette : silhouettes) {
-    const int bits = resolution_bits(silhouette.mask);
-    of_all = std::max(of_all, bits);
-    if (all_views()[silhouette.view].kind == ViewKind::Face) of_faces = std::max(of_faces, bits);
+    const View& view = all_views()[silhouette.view];
+    const int depth = depth_of_pixels(view, silhouette.mask);
+    of_all = std::max(of_all, depth);
+    if (view.kind == ViewKind::Face) of_faces = std::max(of_faces, depth);
   }
   return std::min(of_faces > 0 ? of_faces : of_all, kMostSilhouetteDepth);
 }

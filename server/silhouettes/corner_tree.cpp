@@ -57,7 +57,7 @@ class CornerTreeBuilder {
     for (const auto triangle : hexagon) black += quadtrees_.black_share(triangle);
     if (black == 0) return kWhite;
     if (black == 6) return kBlack;
-    if (depth == rules_.max_depth) return colour_of_mixed(black, 6, rules_);
+    if (depth == rules_.max_depth) return colour_of_mixed(black, 6, rules_.corner_fraction);
     const int most = (1 << depth) - 1;
     const std::size_t place =
         static_cast<std::size_t>(a + most) * width_at(depth) + static_cast<std::size_t>(b + most);

@@ -51,7 +51,7 @@ class EdgeTreeBuilder {
     const double all = static_cast<double>(size) * size;
     if (black == 0) return kWhite;
     if (black == all) return kBlack;
-    if (depth == rules_.max_depth) return colour_of_mixed(black, all, rules_);
+    if (depth == rules_.max_depth) return colour_of_mixed(black, all, rules_.black_fraction);
     std::array<const ColouredNode*, 6> parts;
     for (std::size_t part = 0; part < 6; ++part)
       parts[part] = build(depth + 1, 2 * column + part % 3, 2 * row + part / 3);

@@ -25,7 +25,7 @@ class FaceTreeBuilder {
     const double all = static_cast<double>(size) * size;
     if (black == 0) return kWhite;
     if (black == all) return kBlack;
-    if (depth == rules_.max_depth) return colour_of_mixed(black, all, rules_);
+    if (depth == rules_.max_depth) return colour_of_mixed(black, all, rules_.black_fraction);
     const int half = size / 2;
     const std::array<const ColouredNode*, 4> quadrants{
         build(left, top, half, depth + 1), build(left + half, top, half, depth + 1),

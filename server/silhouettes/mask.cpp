@@ -34,9 +34,9 @@ Mask resample(const Mask& mask, int bits) {
   return square;
 }
 
-int resolution_bits(const Mask& mask) {
+int bits_for(int pixels) {
   int bits = 0;
-  while ((1 << bits) < std::max(mask.width, mask.height)) ++bits;
+  while ((1 << bits) < pixels) ++bits;
   return bits;
 }
 

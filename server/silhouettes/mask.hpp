@@ -43,7 +43,7 @@ Mask grow(const Mask& mask);
 /// REQUIRES: a mask with pixels.
 Mask resample(const Mask& mask, int bits);
 
-/// The smallest number with 2^bits at least the mask's width and height.
-int resolution_bits(const Mask& mask);
+/// The smallest number with 2^bits at least `pixels`.
+int bits_for(int pixels);
 
 }  // namespace spoctree

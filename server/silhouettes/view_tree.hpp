@@ -17,11 +17,19 @@ struct SilhouetteRules {
   /// A cell at the last depth is black if at least this share of its pixels is, and one at all
   /// (section III-F).
   double black_fraction = 0.25;
+  /// The same for the hexagons of corner views, whose border never follows that of pixels: the
+  /// share of a hexagon's area that has to be black.
+  double corner_fraction = 0.25;
 };
 
 /// Deeper trees are not made: this one has cells as small as the pixels of masks of 1024 x 1024,
 /// and of larger masks several pixels fall on a cell (black_fraction).
 inline constexpr int kMostSilhouetteDepth = 10;
+
+/// The depth at which a cell is as large as a pixel: with a mask of N pixels, log2 N rounded up,
+/// where N is the larger side of a face view's mask, and the height of others: an edge view may be
+/// wider, as the cube's silhouette is, and is compressed to a square; so is a corner view's.
+int depth_of_pixels(const View& view, const Mask& mask);
 
 /// The tree of one view, in `pool`. A mask whose size is no power of two is resampled to one that
 /// is not smaller (mask.hpp). O(pixels, and cells in the picture).
@@ -40,8 +48,8 @@ const ColouredNode* build_corner_tree(const View& view, const Mask& mask,
 
 /// What a cell that cannot be divided becomes: `black` of its `all` pixels (or other parts of equal
 /// size) are black.
-inline const ColouredNode* colour_of_mixed(double black, double all, const SilhouetteRules& rules) {
-  return black > 0 && black >= rules.black_fraction * all ? kBlack : kWhite;
+inline const ColouredNode* colour_of_mixed(double black, double all, double fraction) {
+  return black > 0 && black >= fraction * all ? kBlack : kWhite;
 }
 
 }  // namespace spoctree

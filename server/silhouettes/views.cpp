@@ -1,6 +1,8 @@
 #include "server/silhouettes/views.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 #include "common/base/errors.hpp"
 
@@ -67,6 +69,14 @@ const View* find_view(std::string_view name) {
   const auto found = std::find_if(kViews.begin(), kViews.end(),
                                   [&](const View& view) { return view.name == name; });
   return found == kViews.end() ? nullptr : &*found;
+}
+
+PictureSize size_with_square_pixels(const View& view, int size) {
+  // The cube's reach along a sum of axes, in sides: |right|_1 / |right|_2.
+  const auto pixels = [size](const glm::ivec3& axis) {
+    return static_cast<int>(std::lround(size * reach(axis) / std::sqrt(dot(axis, axis))));
+  };
+  return {pixels(view.right), pixels(view.up)};
 }
 
 std::vector<std::size_t> parse_views(std::string_view list) {

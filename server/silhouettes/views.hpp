@@ -42,6 +42,14 @@ struct View {
 
 inline constexpr std::size_t kViewCount = 13;
 
+/// The size of a view's picture in which pixels are as large as those of a face view with `size`
+/// by `size` pixels, rounded to whole pixels.
+struct PictureSize {
+  int width = 0;
+  int height = 0;
+};
+PictureSize size_with_square_pixels(const View& view, int size);
+
 /// All views: faces x, y, z as seen in the paper's figures 3 and 4; edges named by the two octants
 /// that meet in the edge nearest to the viewer, the edge upright in the picture (figure 6);
 /// corners named by the octant nearest to the viewer, z upwards (figure 8).

@@ -85,6 +85,7 @@ SourceInfo describe_source(const std::vector<MaskFile>& masks, std::size_t used,
   source.hash = hasher.hash();
   source.build_options = "kind=silhouettes max-depth=" + std::to_string(options.rules.max_depth) +
                          " black-fraction=" + to_text(options.rules.black_fraction) +
+                         " corner-fraction=" + to_text(options.rules.corner_fraction) +
                          (options.grow ? " grow" : "") + " views=" + views;
   return source;
 }
@@ -112,6 +113,7 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
   SilhouetteOptions options;
   options.grow = arguments.grow;
   options.rules.black_fraction = arguments.black_fraction;
+  options.rules.corner_fraction = arguments.corner_fraction;
   options.rules.max_depth =
       arguments.max_depth >= 0 ? arguments.max_depth : depth_of_pixels(silhouettes);
   options.stages = arguments.stages ? find_stages(masks) : std::vector<std::size_t>{masks.size()};

@@ -16,6 +16,7 @@ struct SilhouetteBuildArguments {
   std::string order;   ///< empty: faces, edges, corners
   int max_depth = -1;  ///< -1: a cell is a pixel of the face views
   double black_fraction = SilhouetteRules{}.black_fraction;
+  double corner_fraction = SilhouetteRules{}.corner_fraction;
   bool grow = false;
   bool stages = false;  ///< also a file after the views of each kind
 };

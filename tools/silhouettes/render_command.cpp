@@ -53,19 +53,23 @@ void run_render(const RenderArguments& arguments) {
   for (const SolidTriangle& t : solid.triangles)
     triangles.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
 
+  if (arguments.square_pixels && 2 * arguments.size > kMostMaskPixels)
+    throw UsageError("--square-pixels: corner views would be larger than " +
+                     std::to_string(kMostMaskPixels) + " pixels");
   const std::filesystem::path folder(arguments.folder);
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw BadInput(arguments.folder + ": " + error.message());
   parallel_for(views.size(), [&](std::size_t i) {
     const View& view = all_views()[views[i]];
-    const Mask mask = render_silhouette(view, points, triangles, arguments.size, arguments.size);
+    const PictureSize size = arguments.square_pixels ? size_with_square_pixels(view, arguments.size)
+                                                     : PictureSize{arguments.size, arguments.size};
+    const Mask mask = render_silhouette(view, points, triangles, size.width, size.height);
     const std::string name = std::string(view.name) + "." + std::string(name_of(arguments.format));
     write_file_atomically(folder / name, encode_mask(mask, arguments.format));
   });
   write_file_atomically(folder / kCubeFile, cube_text(cube));
-  print(arguments.folder + ": " + std::to_string(views.size()) + " silhouettes of " +
-        std::to_string(arguments.size) + " x " + std::to_string(arguments.size) + " pixels\n");
+  print(arguments.folder + ": " + std::to_string(views.size()) + " silhouettes\n");
 }
 
 }  // namespace spoctree

@@ -12,7 +12,8 @@ struct RenderArguments {
   std::string folder;
   std::string cube;  ///< empty: the universe cube of the mesh
   std::string views = "all";
-  int size = 128;  ///< pixels in a row and in a column
+  int size = 128;              ///< pixels in a row and in a column
+  bool square_pixels = false;  ///< the same for face views; others have more of the same pixels
   MaskFormat format = MaskFormat::Pgm;
 };
 
