@@ -1,6 +1,7 @@
 #include "client/commands/commands.hpp"
 #include "common/program/output.hpp"
 #include "common/report/level_rows.hpp"
+#include "common/report/model_note.hpp"
 
 namespace spoctree {
 
@@ -12,7 +13,7 @@ void run_levels(const LevelsArguments& arguments) {
   const auto rows = level_rows(stream.tree(), stream.decoder().level_bytes());
   switch (arguments.format) {
     case LevelsArguments::Format::Table:
-      return print(to_table(rows));
+      return print(to_table(rows) + note_on_levels(stream.decoder().info().source));
     case LevelsArguments::Format::Csv:
       return print(to_csv(rows));
     case LevelsArguments::Format::Json:

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <optional>
 #include <system_error>
+#include <variant>
 
 #include "common/base/atomic_file.hpp"
 #include "common/base/errors.hpp"
 #include "common/program/output.hpp"
 #include "common/program/progress_line.hpp"
 #include "common/report/level_rows.hpp"
+#include "common/report/model_note.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/spo_file.hpp"
 #include "server/commands/build_progress.hpp"
@@ -24,11 +26,14 @@ std::string summarize(const BuildArguments& arguments, const Model& model, const
   std::string text = describe_solid(arguments.mesh, model.report, model.plane_count, model.volume);
   for (const std::string& change : model.changes) text += change + "\n";
   text += to_table(level_rows(model.tree, file.level_bytes()));
+  const bool is_classical = std::holds_alternative<ClassicalRules>(arguments.options.rules);
   char line[256];
-  std::snprintf(line, sizeof line,
-                "depth %zu, %u nodes, %zu of them leaves only because of --max-depth\n",
-                model.tree.levels.size() - 1, file.info().node_count, model.depth_limited_nodes);
+  std::snprintf(line, sizeof line, "depth %zu, %u nodes, %zu of them %s\n",
+                model.tree.levels.size() - 1, file.info().node_count, model.depth_limited_nodes,
+                is_classical ? "mixed cells, full or void by --partial"
+                             : "leaves only because of --max-depth");
   text += line;
+  text += note_on_levels(file.info().source);
   text += arguments.output + ": model " + to_hex(file.frames_hash()) + ", " +
           std::to_string(file.frames().size()) + " bytes to transmit\n";
   std::snprintf(line, sizeof line, "%.3f s (import %.3f, build %.3f, certify %.3f)\n",

@@ -8,6 +8,7 @@
 #include "common/program/output.hpp"
 #include "common/report/json_text.hpp"
 #include "common/report/level_rows.hpp"
+#include "common/report/model_note.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/spo_file.hpp"
 #include "server/commands/describe_solid.hpp"
@@ -73,7 +74,7 @@ std::string info_of_spo(const InfoArguments& arguments) {
       {"source_hash", quote_json(to_hex(info.source.hash))},
       {"build_options", quote_json(info.source.build_options)},
   };
-  if (!arguments.as_json) return to_lines(fields) + to_table(rows);
+  if (!arguments.as_json) return to_lines(fields) + to_table(rows) + note_on_levels(info.source);
   fields.emplace_back("levels", levels_to_json(rows));
   return to_json(fields);
 }
