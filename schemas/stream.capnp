@@ -44,7 +44,7 @@ struct LevelEnd {  # frame type 3: closes a level
   last @1 :Bool;            # no level follows in a full transmission
   nodeCount @2 :UInt32;     # of this level
   planeCount @3 :UInt32;    # planes that appeared for the first time in this level
-  errorBound @4 :Float64;   # model units: no point of T_k is farther from the solid
+  errorBound @4 :Float64;   # model units: no point of T_k is farther from the solid, or of it from T_k
   innerVolume @5 :Float64;  # model units cubed: certainly material
   outerVolume @6 :Float64;  # model units cubed: volume of T_k
   innerArea @7 :Float64;    # model units squared: of the boundary in the leaves of levels 0..k

@@ -18,9 +18,11 @@
 namespace spoctree {
 
 /// What the builder certifies about T_k, the solid of the levels 0..k (every GREY node of level k
-/// replaced by C n A n P). Model units.
+/// replaced by C n A n P). Model units. Volumes and areas are about the last T, which is the solid
+/// itself for an SP-Octree, and only near it for a classical octree.
 struct LevelStatement {
-  /// No point of T_k is farther than this from the solid.
+  /// No point of T_k is farther than this from the solid, and none of the solid farther from T_k
+  /// (which is 0 wherever T_k contains the solid: in SP-Octrees, and with full partial cells).
   double error_bound = 0;
   /// Volume that is certainly material: the leaves of levels 0..k.
   double inner_volume = 0;
