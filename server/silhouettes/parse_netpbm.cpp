@@ -63,10 +63,13 @@ class NetpbmReader {
     };
     if (at_ == bytes_.size()) fail(std::string("the file ends before ") + what);
     if (!is_digit()) fail(std::string("not a number: ") + what);
+    const std::size_t begin = at_;
     int value = 0;
     for (; is_digit(); ++at_) {
       value = 10 * value + (bytes_[at_] - '0');
-      if (value > most) fail(std::string(what) + " is more than " + std::to_string(most));
+      if (value <= most) continue;
+      at_ = begin;
+      fail(std::string(what) + " is more than " + std::to_string(most));
     }
     return value;
   }

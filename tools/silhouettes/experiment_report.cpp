@@ -124,11 +124,11 @@ std::string to_csv(const std::vector<ExperimentRow>& rows) {
     for (const bool grown : {false, true}) {
       for (std::size_t k = 0; k < kStages.size(); ++k) {
         const Accuracy& a = (grown ? row.grown : row.as_seen)[k];
-        text += row.object + "," + to_text(row.volume) + "," +
-                (row.paper_volume > 0 ? to_text(row.paper_volume) : "") + "," +
-                (grown ? "1," : "0,") + std::to_string(kStages[k]);
+        text.append(row.object).append(",").append(to_text(row.volume)).append(",");
+        if (row.paper_volume > 0) text += to_text(row.paper_volume);
+        text.append(grown ? ",1," : ",0,").append(std::to_string(kStages[k]));
         for (const double value : {a.average, a.lowest, a.highest, a.deviation})
-          text += "," + to_text(value);
+          text.append(",").append(to_text(value));
         text += "\n";
       }
     }
