@@ -73,7 +73,7 @@ std::string variants_table(const std::vector<TestObject>& objects, const Experim
               0},
       Variant{"more than half; turned about an axis", true, 0.6, OrientationKind::AxisAngle, size,
               0},
-      Variant{"more than half; four times the pixels (no digitisation)", true, 0.6, kUniform,
+      Variant{"more than half; four times as fine, little digitisation", true, 0.6, kUniform,
               4 * size, 0},
   };
   std::vector<TableRow> rows{
@@ -119,12 +119,19 @@ void run_experiment_command(const ExperimentArguments& arguments) {
   if (error) throw BadInput(arguments.folder + ": " + error.message());
   write_file_atomically(folder / "silhouettes.txt", text);
   write_file_atomically(folder / "silhouettes.csv", to_csv(rows));
-  const std::vector<ExperimentRow> primitives(alone.begin(), alone.end() - 1);
-  const std::vector<ExperimentRow> complex(alone.end() - 1, alone.end());
+  std::vector<StabilityEntry> primitives;
+  std::vector<StabilityEntry> complex;
+  for (const ExperimentRow& row : alone) {
+    if (row.paper_volume > 0) {
+      primitives.push_back({row.object, row.as_seen});
+    } else {
+      complex.push_back({row.object, row.as_seen});
+      complex.push_back({"grown", row.grown});
+    }
+  }
   write_file_atomically(folder / "silhouettes-figure-12.svg", average_chart(alone));
-  write_file_atomically(folder / "silhouettes-figure-13.svg", stability_chart(primitives, false));
-  write_file_atomically(folder / "silhouettes-figure-15.svg", stability_chart(complex, false));
-  write_file_atomically(folder / "silhouettes-figure-15-grown.svg", stability_chart(complex, true));
+  write_file_atomically(folder / "silhouettes-figure-13.svg", stability_chart(primitives));
+  write_file_atomically(folder / "silhouettes-figure-15.svg", stability_chart(complex));
 }
 
 }  // namespace spoctree

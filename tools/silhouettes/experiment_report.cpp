@@ -23,9 +23,10 @@ std::string percent(double ratio) { return with_decimals(100 * ratio, 1); }
 /// A chart with the ratio upwards, in percent, and a column per object.
 class Chart {
  public:
-  Chart(const std::vector<ExperimentRow>& rows, const std::string& title, double highest)
+  Chart(const std::vector<std::string>& labels, const std::string& title, double highest)
       : highest_(highest) {
-    const double width = kLeft + kColumn * static_cast<double>(rows.size()) + 10;
+    const double width =
+        std::max(kLeft + kColumn * static_cast<double>(labels.size()) + 10, kLeastWidth);
     svg_ = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" +
            number(kBottom + 92) + "\" font-family=\"sans-serif\" font-size=\"11\">\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
@@ -35,9 +36,9 @@ class Chart {
       line(kLeft, y, width - 10, y, level == 100 ? "#000" : "#ccc");
       text(kLeft - 4, y + 4, std::to_string(level), " text-anchor=\"end\"");
     }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t i = 0; i < labels.size(); ++i) {
       const double x = middle_of(i);
-      text(x, kBottom + 12, rows[i].object,
+      text(x, kBottom + 12, labels[i],
            " text-anchor=\"end\" transform=\"rotate(-40 " + number(x) + " " + number(kBottom + 12) +
                ")\"");
     }
@@ -66,6 +67,7 @@ class Chart {
   static constexpr double kLeft = 40;
   static constexpr double kTop = 30;
   static constexpr double kColumn = 56;
+  static constexpr double kLeastWidth = 480;  ///< for the title
 
   static std::string number(double value) { return with_decimals(value, 2); }
   void line(double x1, double y1, double x2, double y2, const std::string& stroke) {
@@ -78,15 +80,6 @@ class Chart {
 };
 
 constexpr std::array kShades{"#555", "#aaa", "#eee"};
-
-double highest_of(const std::vector<ExperimentRow>& rows, bool grown) {
-  double highest = 1;
-  for (const ExperimentRow& row : rows) {
-    for (const Accuracy& accuracy : grown ? row.grown : row.as_seen)
-      highest = std::max(highest, accuracy.highest);
-  }
-  return 20 * std::ceil(5 * highest);
-}
 
 void append_bars(Chart& chart, double x, const std::array<Accuracy, 3>& stages) {
   double below = 0;
@@ -137,7 +130,9 @@ std::string to_csv(const std::vector<ExperimentRow>& rows) {
 }
 
 std::string average_chart(const std::vector<ExperimentRow>& rows) {
-  Chart chart(rows,
+  std::vector<std::string> labels;
+  for (const ExperimentRow& row : rows) labels.push_back(row.object);
+  Chart chart(labels,
               "object volume / octree volume, %: left as seen, right grown; dark 3, grey 9, light "
               "13 views",
               120);
@@ -148,14 +143,18 @@ std::string average_chart(const std::vector<ExperimentRow>& rows) {
   return chart.finish();
 }
 
-std::string stability_chart(const std::vector<ExperimentRow>& rows, bool grown) {
-  Chart chart(rows,
-              std::string("object volume / octree volume, %, with 3, 9, 13 views") +
-                  (grown ? ", grown" : "") + ": lowest to highest, band: average and deviation",
-              highest_of(rows, grown));
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+std::string stability_chart(const std::vector<StabilityEntry>& entries) {
+  std::vector<std::string> labels;
+  double highest = 1;
+  for (const StabilityEntry& entry : entries) {
+    labels.push_back(entry.label);
+    for (const Accuracy& accuracy : entry.stages) highest = std::max(highest, accuracy.highest);
+  }
+  Chart chart(labels, "object volume / octree volume, %, with 3, 9 and 13 views: range, average",
+              20 * std::ceil(5 * highest));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     for (std::size_t k = 0; k < kStages.size(); ++k) {
-      const Accuracy& a = (grown ? rows[i].grown : rows[i].as_seen)[k];
+      const Accuracy& a = entries[i].stages[k];
       const double x = Chart::middle_of(i) - 22 + 15 * static_cast<double>(k);
       chart.bar(x, 13, a.lowest, a.highest, "#fff");
       chart.bar(x, 13, a.average - a.deviation / 2, a.average + a.deviation / 2, "#555");

@@ -1,6 +1,7 @@
 // What the experiment has found -> tables, and charts like the paper's figures 12, 13 and 15.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,12 @@ std::string to_csv(const std::vector<ExperimentRow>& rows);
 /// each divided into what 3, 9 and 13 views reach. SVG.
 std::string average_chart(const std::vector<ExperimentRow>& rows);
 
-/// Figures 13 and 15: per object, three bars for 3, 9 and 13 views, from the lowest to the highest
+/// Figures 13 and 15: per entry, three bars for 3, 9 and 13 views, from the lowest to the highest
 /// ratio, a band around the average as thick as the standard deviation. SVG.
-std::string stability_chart(const std::vector<ExperimentRow>& rows, bool grown);
+struct StabilityEntry {
+  std::string label;
+  std::array<Accuracy, 3> stages;
+};
+std::string stability_chart(const std::vector<StabilityEntry>& entries);
 
 }  // namespace spoctree
