@@ -165,7 +165,10 @@ class Merger {
     merged_into_.push_back(kNone);
     cells_[first] = {};
     cells_[second] = {};
-    cells_.push_back(union_);
+    Polyhedron& stored = cells_.emplace_back(union_);
+    stored.vertices.shrink_to_fit();
+    stored.corners.shrink_to_fit();
+    stored.faces.shrink_to_fit();
     add_faces(whole);
   }
 

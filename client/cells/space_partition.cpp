@@ -13,6 +13,12 @@ namespace spoctree {
 
 namespace {
 
+/// So many may come as they are.
+constexpr std::size_t kFewPlanes = 12;
+
+/// The share of a GREY node's work that its own planes are.
+constexpr double kPeeling = 0.1;
+
 class Partitioner {
  public:
   using Child = SpacePartition::Child;
@@ -57,7 +63,10 @@ class Partitioner {
   void put_empty(const Place& place, const Polyhedron& cell) {
     const std::uint32_t number = small_count(result_.cells.size(), "empty cells", most_ - 1);
     put(place, SpacePartition::empty_cell(number));
-    result_.cells.push_back(cell);
+    Polyhedron& stored = result_.cells.emplace_back(cell);
+    stored.vertices.shrink_to_fit();
+    stored.corners.shrink_to_fit();
+    stored.faces.shrink_to_fit();
   }
   void put_material(const Place& place, const Polyhedron& piece) {
     put(place, SpacePartition::kMaterial);
@@ -83,8 +92,8 @@ class Partitioner {
         put_material(place, region);
         break;
       case NodeKind::Convex:
-        if (peel(region, planes, place)) put_material(place, region);
-        break;
+        if (peel(region, planes, place, work)) put_material(place, region);
+        return;
       case NodeKind::Concave:
         union_of(static_cast<std::uint32_t>(planes.size()), union_);
         divide(region, planes, union_, place);
@@ -93,24 +102,43 @@ class Partitioner {
         divide(region, planes, level.expression_of(node.index), place);
         break;
       case NodeKind::Grey:
-        if (!peel(region, planes, place)) break;
-        if (node.level == level_) {
+        if (!peel(region, planes, place, kPeeling * work)) {
+          progress_.add((1 - kPeeling) * work);
+        } else if (node.level == level_) {
           put_material(place, region);
+          progress_.add((1 - kPeeling) * work);
         } else {
-          visit_octants(node, region, 0, 0, place, work);
-          return;
+          visit_octants(node, region, 0, 0, place, (1 - kPeeling) * work);
         }
-        break;
+        return;
     }
     progress_.add(work);
   }
 
+  static std::uint64_t shuffled(std::uint64_t number) {
+    number = (number + 1) * 0x9E3779B97F4A7C15u;
+    number = (number ^ (number >> 30)) * 0xBF58476D1CE4E5B9u;
+    return number ^ (number >> 27);
+  }
+
   /// What is outside the planes becomes cells, one plane after the other; false if nothing else
-  /// is left. `place` is that of the rest then.
-  bool peel(Polyhedron& region, std::span<const std::uint32_t> planes, Place& place) {
+  /// is left. `place` is that of the rest then. A share of `work` is done then.
+  ///
+  /// In the order of numbers that look random: the first few planes cut most off, and what others
+  /// cut off is near the solid. Planes in the order of a sphere's bands would make a fan of slices
+  /// that all reach far out, and a hundred times as many avenues.
+  bool peel(Polyhedron& region, std::span<const std::uint32_t> own, Place& place, double work) {
+    std::vector<std::uint32_t> planes(own.begin(), own.end());
+    if (planes.size() > kFewPlanes) {
+      std::sort(planes.begin(), planes.end(), [](std::uint32_t p, std::uint32_t q) {
+        return std::pair(shuffled(p), p) < std::pair(shuffled(q), q);
+      });
+    }
     Polyhedron& inside = scratch();
     bool is_left = true;
+    if (planes.empty()) progress_.add(work);
     for (const std::uint32_t index : planes) {
+      progress_.add(work * per_item(planes.size()));
       const PlaneRef plane = PlaneRef::of_table(index);
       const auto parts = clipper_.split(region, plane, planes_, inside, outside_);
       if (!parts.outside) continue;
