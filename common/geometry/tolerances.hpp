@@ -50,6 +50,9 @@ inline constexpr double kOverlapTolerance = 5e-7;
 /// paper: what was straight before it was written in single precision stands off by as much.
 inline constexpr double kJoinTolerance = 1e-7;
 
+/// The same in space for a perspective, whose picture enlarges what is near the eye.
+inline constexpr double kCloseJoinTolerance = 1e-9;
+
 /// What is nearer than this to the plane through the eye, across the axis of sight, is not drawn in
 /// a perspective (universe units).
 inline constexpr double kLeastDepth = 1e-6;
