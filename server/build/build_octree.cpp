@@ -30,6 +30,9 @@ struct Job {
   Branch& result;
 };
 
+/// A job may make so many levels of a classical tree: up to some 10,000 nodes.
+constexpr std::uint32_t kDepthOfJob = 6;
+
 /// One job makes eight of a large GREY cell, and all nodes of a small one. A job waits for no
 /// other, so each thread can have its builder; and the threads take the newest of their own jobs
 /// first, so few large cells exist at a time.
@@ -44,6 +47,13 @@ class ParallelBuilder {
   }
 
  private:
+  /// The work is in the fragments, but in a classical tree also in the depth below few of them.
+  bool is_large(const Cell& cell) const {
+    if (cell.boundary.fragments.size() > options_.fragments_per_job) return true;
+    const auto* classical = std::get_if<ClassicalRules>(&options_.rules);
+    return classical != nullptr && cell.depth + kDepthOfJob < classical->max_depth;
+  }
+
   void start(Job job) {
     jobs_.start([this, job = std::make_shared<Job>(std::move(job))] { build(*job); });
   }
@@ -57,7 +67,7 @@ class ParallelBuilder {
     Decision decision;
     builder.decide(job.cell, job.work, decision, job.result.parts.emplace_back());
     if (decision.kind == NodeKind::Grey) {
-      if (job.cell.boundary.fragments.size() > options_.fragments_per_job) {
+      if (is_large(job.cell)) {
         start_children(job, decision, builder);
       } else {
         builder.enter(decision.planes);

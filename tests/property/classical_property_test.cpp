@@ -365,7 +365,7 @@ TEST(Classical, AnyNumberOfThreadsMakesTheSameBytes) {
   const Solid solid = model_solid("sphere", 20);
   for (const PartialCells partial : kAllPartials) {
     BuildOptions options;
-    options.rules = ClassicalRules{6, partial};
+    options.rules = ClassicalRules{7, partial};
     options.fragments_per_job = 32;
     const SolidQueries queries(solid);
     std::string one;
