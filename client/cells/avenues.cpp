@@ -1,6 +1,7 @@
 #include "client/cells/avenues.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "client/cells/sight_mask.hpp"
@@ -35,7 +36,7 @@ class Walker {
   std::vector<CreasePart> run(AvenueCounts& counts) {
     const SightMask picture = mask_of(frame_);
     whole_area_ = std::max(area_of(picture.corners), std::numeric_limits<double>::min());
-    for (const std::uint32_t cell : space_.find_cells(viewpoint_)) {
+    for (const std::uint32_t cell : space_.find_cells(viewpoint_, kEyeInPlane)) {
       if (cell == kOuterSpace) {
         go_on_from(kOuterSpace, picture.corners, 0);
         look_at_universe_walls(picture);
@@ -77,9 +78,14 @@ class Walker {
 
   double diagonal() const { return std::sqrt(3.0) * 2 * space_.tree().universe.half_side; }
 
-  /// Exact, as every cell's place in the partition is.
+  /// Exact, as every cell's place in the partition is, but for planes that the eye is in up to
+  /// rounding: they have been there before it.
   int side_of_viewer(PlaneRef ref) const {
     const Plane plane = planes_[ref];
+    if (camera_.is_perspective() &&
+        std::abs(glm::dot(plane.normal, viewpoint_.xyz) - plane.offset) <= kEyeInPlane) {
+      return 0;
+    }
     return side_of_any_point({plane.normal, plane.offset * viewpoint_.w}, viewpoint_.xyz);
   }
 

@@ -1,6 +1,7 @@
 #include "client/cells/empty_space.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -16,9 +17,10 @@ constexpr double kPartitioning = 0.3;
 constexpr double kMerging = 0.5;
 constexpr double kOpening = 0.2;
 
-/// -1 where the eye is inside the plane, or looks at it from there.
-int side_of(const Viewpoint& eye, const Plane& plane) {
-  return side_of_any_point({plane.normal, plane.offset * eye.w}, eye.xyz);
+/// Of a point within the universe cube.
+int side_of(Vec3 point, const Plane& plane, double reach) {
+  if (reach > 0 && std::abs(glm::dot(plane.normal, point) - plane.offset) <= reach) return 0;
+  return side_of_any_point(plane, point);
 }
 
 }  // namespace
@@ -42,10 +44,10 @@ EmptySpace::EmptySpace(const Octree& tree, const EmptySpaceOptions& options,
   openings_ = find_openings(cells_, planes_, progress.part(kOpening));
 }
 
-std::vector<std::uint32_t> EmptySpace::find_cells(const Viewpoint& eye) const {
+std::vector<std::uint32_t> EmptySpace::find_cells(const Viewpoint& eye, double reach) const {
   if (eye.w == 0) return {kOuterSpace};
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(eye.xyz[axis]) > planes_.half_side()) return {kOuterSpace};
+    if (std::abs(eye.xyz[axis]) > planes_.half_side() + reach) return {kOuterSpace};
   }
   std::vector<std::uint32_t> found;
   std::vector<SpacePartition::Child> open{partition_.root};
@@ -58,7 +60,7 @@ std::vector<std::uint32_t> EmptySpace::find_cells(const Viewpoint& eye) const {
       continue;
     }
     const SpacePartition::Split& split = partition_.splits[static_cast<std::size_t>(at)];
-    const int side = side_of(eye, planes_[split.plane]);
+    const int side = side_of(eye.xyz, planes_[split.plane], reach);
     if (side <= 0) open.push_back(split.inside);
     if (side >= 0) open.push_back(split.outside);
   }

@@ -39,7 +39,10 @@ class EmptySpace {
   /// their borders, where it is all that meet there; none in material. kOuterSpace alone if the
   /// point, or direction, is outside the universe cube. By way of the partition: time about
   /// O(depth).
-  std::vector<std::uint32_t> find_cells(const Viewpoint& eye) const;
+  ///
+  /// With a `reach`, planes as near as that to the point count as its own: cells on both sides of
+  /// them are found.
+  std::vector<std::uint32_t> find_cells(const Viewpoint& eye, double reach = 0) const;
 
   /// The same for an eye that has moved from a point of cell `last`: goes through openings along
   /// the way while that is in empty space. O(cells on the way), and find_cells where it ends in

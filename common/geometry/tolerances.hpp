@@ -34,6 +34,10 @@ inline constexpr double kThinnestMask = 1e-12;
 /// thin lies within this of what does not.
 inline constexpr double kMaskTolerance = 1e-11;
 
+/// An eye nearer to a plane than this is in it (universe units): in the cells on both sides, and it
+/// sees what lies in the plane edge-on.
+inline constexpr double kEyeInPlane = 1e-12;
+
 /// A crease touches what it is nearer to than this: rebuilt vertices stand off the exact ones by up
 /// to kWeldTolerance.
 inline constexpr double kCreaseTolerance = 3e-10;

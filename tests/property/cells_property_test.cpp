@@ -331,6 +331,53 @@ TEST(Avenues, ShowFromWithinWhatIsSeenFromFrontToBack) {
   EXPECT_GT(drawn, 20);
 }
 
+/// Middles of faces and edges of cells, corners, as rounding leaves them, well off the solid.
+std::vector<Vec3> eyes_on_borders(const EmptySpace& space, std::uint32_t level) {
+  std::vector<Vec3> eyes;
+  const auto& cells = space.cells();
+  for (std::size_t cell = 0; cell < cells.size(); cell += 1 + cells.size() / 6) {
+    const Polyhedron& polyhedron = cells[cell];
+    eyes.push_back(polyhedron.vertices[0].position);
+    for (const Polyhedron::Face& face : polyhedron.faces) {
+      const std::vector<Vec3> corners = face_corners(polyhedron, face);
+      eyes.push_back(0.5 * (corners[0] + corners[1]));
+      eyes.push_back((corners[0] + corners[1] + corners[2]) / 3.0);
+    }
+  }
+  std::erase_if(eyes, [&](Vec3 eye) {
+    for (unsigned octant = 0; octant < 8; ++octant) {
+      const Vec3 aside{octant & 1 ? 1 : -1, octant & 2 ? 1 : -1, octant & 4 ? 1 : -1};
+      const Vec3 beside = eye + 1e-6 * aside;
+      const double half = space.tree().universe.half_side;
+      if (std::max({std::abs(beside.x), std::abs(beside.y), std::abs(beside.z)}) > half ||
+          classify_point(space.tree(), beside, level) != PointClass::Out) {
+        return true;
+      }
+    }
+    return false;
+  });
+  return eyes;
+}
+
+TEST(Avenues, ShowTheSameToAnEyeOnTheBorderOfCells) {
+  double drawn = 0;
+  for (const char* name : {"mechanical-piece", "double-torus", "house-plan"}) {
+    SCOPED_TRACE(name);
+    const Octree tree = tree_of_model(name);
+    const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);
+    const LineScene scene(tree, rebuild_surface(tree));
+    const CellScene cells(scene);
+    for (const Vec3 eye : eyes_on_borders(cells.space(), last)) {
+      for (const Vec3 direction : kDirections) {
+        const Camera camera = Camera::perspective(eye, eye - 0.5 * direction);
+        const double half = camera.focal_length();
+        drawn += expect_same(scene, cells, camera, {{-half, -half}, {half, half}});
+      }
+    }
+  }
+  EXPECT_GT(drawn, 100);
+}
+
 /// Hidden lines are what is left, whatever finds the others.
 TEST(Avenues, LeaveTheSameHiddenLines) {
   const Octree tree = tree_of_model("mechanical-piece");
