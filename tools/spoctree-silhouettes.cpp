@@ -64,7 +64,7 @@ int main(int argc, char** argv) {
   build_command.add_option("--order", build.order,
                            "in which order views are used, such as edge,face,corner");
   build_command.add_option("--cube", build.cube,
-                           "X,Y,Z,SIDE: the cube that is seen; that of cube.txt in the folder, or "
+                           "X,Y,Z,SIDE: the cube that is seen; that of a cube.txt beside them, or "
                            "0,0,0,2");
   build_command
       .add_option("--max-depth", build.max_depth,

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include "common/base/errors.hpp"
 #include "common/base/parallel.hpp"
@@ -98,10 +99,29 @@ std::string stage_name(const std::string& output, std::size_t views) {
       .string();
 }
 
+/// Combinations that cannot be meant, found before any work.
+void check(const SilhouetteBuildArguments& arguments) {
+  for (const double fraction : {arguments.black_fraction, arguments.corner_fraction}) {
+    if (!(fraction >= 0 && fraction <= 1)) throw UsageError("a fraction is between 0 and 1");
+  }
+  if (arguments.stages && arguments.output == "-")
+    throw UsageError("--stages makes several files, which standard output cannot hold");
+}
+
+/// A mask must not be lost by writing over it.
+void require_other_files(const std::vector<MaskFile>& masks, const std::string& output) {
+  std::error_code ignored;
+  for (const MaskFile& mask : masks) {
+    if (output != "-" && fs::equivalent(mask.path, output, ignored))
+      throw UsageError(output + ": --output is a mask itself");
+  }
+}
+
 }  // namespace
 
 void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
   const Elapsed elapsed;
+  check(arguments);
   const std::vector<MaskFile> masks = choose_masks(arguments);
   const std::optional<Universe> found = find_cube(arguments.masks);
   const Universe cube = !arguments.cube.empty() ? parse_cube(arguments.cube, "--cube")
@@ -131,6 +151,7 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
     files[i] = encode_spo(trees[i], describe_source(masks, options.stages[i], options));
     names[i] =
         i + 1 < trees.size() ? stage_name(arguments.output, options.stages[i]) : arguments.output;
+    require_other_files(masks, names[i]);
   });
   for (std::size_t i = 0; i < trees.size(); ++i) {
     write_output(names[i], files[i]);

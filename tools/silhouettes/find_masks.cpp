@@ -78,8 +78,10 @@ std::vector<MaskFile> find_masks(const std::vector<std::string>& paths) {
 
 std::optional<Universe> find_cube(const std::vector<std::string>& paths) {
   for (const std::string& path : paths) {
-    const fs::path file = fs::path(path) / kCubeFile;
     std::error_code ignored;
+    const fs::path folder =
+        fs::is_directory(path, ignored) ? fs::path(path) : fs::path(path).parent_path();
+    const fs::path file = folder / kCubeFile;
     if (!fs::is_regular_file(file, ignored)) continue;
     const MappedFile content(file);
     return parse_cube(content.bytes().substr(0, 4096), file.string());

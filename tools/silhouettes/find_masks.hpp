@@ -21,7 +21,8 @@ struct MaskFile {
 /// whose name names no view, for two files of one view, and if there is none at all.
 std::vector<MaskFile> find_masks(const std::vector<std::string>& paths);
 
-/// The cube that a cube.txt in one of the folders names, if there is one.
+/// The cube that a cube.txt in one of the folders, or beside one of the files, names, if there is
+/// one: the first.
 std::optional<Universe> find_cube(const std::vector<std::string>& paths);
 
 /// The files' silhouettes. Throws BadInput as read_mask does.
