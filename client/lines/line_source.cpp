@@ -115,10 +115,13 @@ class SourceFinder {
     found.end = end;
     found.source.kind = nodes.kinds[node.index];
     found.source.level = static_cast<std::uint8_t>(node.level);
-    found.source.is_inherited =
-        std::none_of(stretch.planes, stretch.planes + 2, [&](PlaneRef plane) {
-          return !plane.is_wall() && std::find(own.begin(), own.end(), plane.index()) != own.end();
-        });
+    const auto is_wall = [](PlaneRef plane) { return plane.is_wall(); };
+    const auto is_own = [&](PlaneRef plane) {
+      return !plane.is_wall() && std::find(own.begin(), own.end(), plane.index()) != own.end();
+    };
+    const PlaneRef* const end_of_planes = stretch.planes + 2;
+    found.source.is_inherited = !std::all_of(stretch.planes, end_of_planes, is_wall) &&
+                                std::none_of(stretch.planes, end_of_planes, is_own);
   }
 
   /// Stretches shorter than `shortest` (of the line's length) go to the ones before them.

@@ -20,8 +20,8 @@ enum class LineKind : std::uint8_t {
 struct LineSource {
   NodeKind kind = NodeKind::Grey;
   std::uint8_t level = 0;
-  /// Neither of the line's planes stands in that node itself: but in nodes above it or, at a cell
-  /// wall, beside it.
+  /// Neither of the line's planes stands in that node itself: but in nodes above it or, where one
+  /// is a cell wall, beside it. False between two walls, which stand in no node.
   bool is_inherited = false;
 
   bool operator==(const LineSource&) const = default;
