@@ -9,6 +9,7 @@
 #include "common/wire/encode.hpp"
 #include "common/wire/messages.hpp"
 #include "common/wire/spo_writer.hpp"
+#include "server/silhouettes/encode_mask.hpp"
 #include "tests/fuzz/soup_of_bytes.hpp"
 #include "tests/support/frames.hpp"
 #include "tests/support/sample_trees.hpp"
@@ -123,6 +124,17 @@ void add_trees(Corpus& corpus) {
   corpus.add("fuzz_decode", unsealed(seal_request(GetRequest{"cube", 1, {}})));
 }
 
+void add_masks(Corpus& corpus) {
+  Mask mask(13, 9);
+  for (std::size_t i = 0; i < mask.pixels.size(); i += 2) mask.pixels[i] = 1;
+  for (const char view : {'\0', '\x04', '\x8b'}) {
+    for (const MaskFormat format : {MaskFormat::Pbm, MaskFormat::Pgm, MaskFormat::Png})
+      corpus.add("fuzz_mask", view + encode_mask(mask, format));
+    corpus.add("fuzz_mask", std::string(1, view) + "P1\n# plain\n3 2\n0 1 1\n110");
+    corpus.add("fuzz_mask", std::string(1, view) + "P2 3 1\n9\n4 5 9\n");
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -134,4 +146,5 @@ int main(int argc, char** argv) {
   add_meshes(corpus);
   add_soups(corpus);
   add_trees(corpus);
+  add_masks(corpus);
 }
