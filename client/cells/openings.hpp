@@ -45,6 +45,6 @@ struct Openings {
 /// both have a face with a plane of the same name there. Throws BadInput if there are more than
 /// `most` openings, or what `progress` throws.
 Openings find_openings(const std::vector<Polyhedron>& cells, const PlaneSet& planes,
-                       const ProgressShare& progress = {}, std::size_t most = kMostIn32Bits - 1);
+                       const ProgressShare& progress = {}, std::size_t most = kMostIn32Bits / 2);
 
 }  // namespace spoctree

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <utility>
 
 #include "common/base/small_count.hpp"
@@ -73,7 +74,8 @@ class Partitioner {
     result_.material_volume += volume(piece);
   }
   std::uint32_t put_split(const Place& place, PlaneRef plane) {
-    const auto number = static_cast<std::uint32_t>(result_.splits.size());
+    constexpr std::size_t kMost = std::numeric_limits<Child>::max();
+    const std::uint32_t number = small_count(result_.splits.size(), "splits of space", kMost);
     put(place, static_cast<Child>(number));
     result_.splits.push_back({plane, SpacePartition::kMaterial, SpacePartition::kMaterial});
     return number;
