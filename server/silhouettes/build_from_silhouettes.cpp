@@ -1,7 +1,8 @@
 #include "server/silhouettes/build_from_silhouettes.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <array>
+#include <deque>
 
 #include "common/base/parallel.hpp"
 #include "server/silhouettes/views.hpp"
@@ -23,11 +24,12 @@ NodeKind kind_of(const ColouredNode* node) {
   return node == kBlack ? NodeKind::Black : NodeKind::Grey;
 }
 
-KindLevels levels_below(const ColouredNode* root) {
+KindLevels levels_below(const ColouredNode* root, NodeLimit& limit) {
   KindLevels levels;
   std::vector<const ColouredNode*> level{root};
   while (!level.empty()) {
     std::vector<const ColouredNode*> next;
+    limit.take(level.size());
     levels.emplace_back();
     levels.back().reserve(level.size());
     for (const ColouredNode* const node : level) {
@@ -95,7 +97,9 @@ std::vector<std::size_t> stages_of(std::span<const Silhouette> silhouettes,
 template <class Use>
 void intersect_views(std::span<const Silhouette> silhouettes, const SilhouetteOptions& options,
                      const Use& use) {
-  std::vector<NodePool> pools(silhouettes.size());
+  NodeLimit limit(kMostColouredNodes, "nodes at work: these silhouettes are too uneven");
+  std::deque<NodePool> pools;
+  for (std::size_t i = 0; i < silhouettes.size(); ++i) pools.emplace_back(limit);
   std::vector<const ColouredNode*> views(silhouettes.size());
   parallel_for(silhouettes.size(), [&](std::size_t i) {
     const auto build = [&](const Mask& mask) {
@@ -105,7 +109,7 @@ void intersect_views(std::span<const Silhouette> silhouettes, const SilhouetteOp
   });
   const std::vector<std::size_t> stages = stages_of(silhouettes, options);
   parallel_for(kJobs, [&](std::size_t job) {
-    NodePool pool;
+    NodePool pool(limit);
     const ColouredNode* common = kBlack;
     std::size_t stage = 0;
     for (std::size_t i = 0; i < views.size() && stage < stages.size(); ++i) {
@@ -123,11 +127,12 @@ void intersect_views(std::span<const Silhouette> silhouettes, const SilhouetteOp
 std::vector<Octree> build_from_silhouettes(const Universe& universe,
                                            std::span<const Silhouette> silhouettes,
                                            const SilhouetteOptions& options) {
+  NodeLimit limit(kMostSilhouetteNodes, "nodes: these silhouettes are too uneven for that depth");
   std::vector<std::vector<KindLevels>> parts(stages_of(silhouettes, options).size(),
                                              std::vector<KindLevels>(kJobs));
   intersect_views(silhouettes, options,
                   [&](std::size_t stage, std::size_t job, const ColouredNode* node) {
-                    parts[stage][job] = levels_below(node);
+                    parts[stage][job] = levels_below(node, limit);
                   });
   std::vector<Octree> trees(parts.size());
   parallel_for(parts.size(),

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,11 @@
 #include "server/silhouettes/view_tree.hpp"
 
 namespace spoctree {
+
+/// The trees of all stages may have so many nodes together, and so many may be worked on at a time.
+/// Objects in masks of 1024 x 1024 need a tenth of it at most; noise needs more than there is.
+inline constexpr std::int64_t kMostSilhouetteNodes = 40'000'000;
+inline constexpr std::int64_t kMostColouredNodes = 16'000'000;
 
 /// What one view shows.
 struct Silhouette {
@@ -30,6 +36,7 @@ struct SilhouetteOptions {
 /// tree per silhouette, intersected a pair at a time in the order given. In parallel; the same
 /// trees for any number of threads. The levels' statements are not filled: see state_levels.hpp.
 /// O(pixels, and nodes of all trees on the way).
+/// Throws BadInput (without a file's name) for trees beyond the limits above.
 /// REQUIRES: at least one silhouette, no view twice; masks with pixels, no side longer than
 /// kMostMaskPixels; a valid universe; 0 <= max_depth <= kMostSilhouetteDepth.
 std::vector<Octree> build_from_silhouettes(const Universe& universe,

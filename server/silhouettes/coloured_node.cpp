@@ -1,6 +1,9 @@
 #include "server/silhouettes/coloured_node.hpp"
 
 #include <algorithm>
+#include <string>
+
+#include "common/base/errors.hpp"
 
 namespace spoctree {
 
@@ -14,12 +17,20 @@ const ColouredNode kBlackLeaf;
 const ColouredNode* const kWhite = &kWhiteLeaf;
 const ColouredNode* const kBlack = &kBlackLeaf;
 
+void NodeLimit::take(std::size_t nodes) {
+  const auto count = static_cast<std::int64_t>(nodes);
+  if ((left_ -= count) >= 0) return;
+  left_ += count;
+  throw BadInput("more than " + std::to_string(nodes_) + " " + what_);
+}
+
 const ColouredNode* NodePool::make(const std::array<const ColouredNode*, 8>& children) {
   const ColouredNode* const first = children[0];
   if (is_leaf(first) && std::all_of(children.begin(), children.end(),
                                     [first](const ColouredNode* node) { return node == first; }))
     return first;
   if (used_ == kBlock) {
+    limit_.take(kBlock);
     blocks_.push_back(std::make_unique<ColouredNode[]>(kBlock));
     used_ = 0;
   }

@@ -6,7 +6,9 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -28,14 +30,37 @@ inline const ColouredNode* child_of(const ColouredNode* node, int octant) {
   return is_leaf(node) ? node : node->children[static_cast<std::size_t>(octant)];
 }
 
+/// How many nodes there may be at a time, for all threads: silhouettes that are noise have trees
+/// without end.
+class NodeLimit {
+ public:
+  /// `what` completes "more than N ...".
+  NodeLimit(std::int64_t nodes, const char* what) : nodes_(nodes), left_(nodes), what_(what) {}
+  /// Throws BadInput when there are not so many left.
+  void take(std::size_t nodes);
+  void give_back(std::size_t nodes) { left_ += static_cast<std::int64_t>(nodes); }
+
+ private:
+  const std::int64_t nodes_;
+  std::atomic<std::int64_t> left_;
+  const char* what_;
+};
+
 /// Where nodes live; they go all at once.
 class NodePool {
  public:
-  /// The node with these children; siblings of one colour are merged.
+  /// REQUIRES: the limit outlives this.
+  explicit NodePool(NodeLimit& limit) : limit_(limit) {}
+  ~NodePool() { limit_.give_back(blocks_.size() * kBlock); }
+  NodePool(const NodePool&) = delete;
+  NodePool& operator=(const NodePool&) = delete;
+
+  /// The node with these children; siblings of one colour are merged. Throws BadInput at the limit.
   const ColouredNode* make(const std::array<const ColouredNode*, 8>& children);
 
  private:
-  static constexpr std::size_t kBlock = 4096;
+  static constexpr std::size_t kBlock = 1024;
+  NodeLimit& limit_;
   std::vector<std::unique_ptr<ColouredNode[]>> blocks_;
   std::size_t used_ = kBlock;  ///< of the last block
 };

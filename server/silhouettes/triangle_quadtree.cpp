@@ -7,7 +7,8 @@ namespace spoctree {
 
 namespace {
 
-constexpr int kMostDivisions = 14;
+/// Then triangles are as small as the pixels of a picture of 2048 x 2048.
+constexpr int kMostDivisions = 10;
 
 /// Side 1 is the cube's. Centres of triangles that share a side are sqrt(2) / 3 apart in the
 /// hexagon's triangles, whose side is sqrt(2 / 3), and half as far with each division.
@@ -66,10 +67,10 @@ TriangleQuadtrees::Node TriangleQuadtrees::build(const Mask& mask, const Corners
     const auto& [a, b, c] = corners.labelled;
     const int column = pixel_at(0.5 + (a.right + b.right + c.right) / 6, mask.width);
     const int row = pixel_at(0.5 - (a.up + b.up + c.up) / 6, mask.height);
-    return {static_cast<double>(mask.at(column, row)), 0};
+    return {static_cast<float>(mask.at(column, row)), 0};
   }
   std::array<Node, 4> parts;
-  double share = 0;
+  float share = 0;  // exact: multiples of 4^-kMostDivisions
   for (std::size_t label = 0; label < 4; ++label) {
     parts[label] = build(mask, part_corners(corners, label), depth + 1);
     share += parts[label].black_share / 4;

@@ -21,7 +21,8 @@ class TriangleQuadtrees {
  public:
   /// Divides triangles until neighbours' centres are no farther apart than two pixels' centres (in
   /// the direction in which these are nearer to each other); then each is black if the pixel
-  /// nearest to its centre is. A triangle of one colour is not divided. O(pixels).
+  /// nearest to its centre is. A triangle of one colour is not divided, and none more than ten
+  /// times. O(pixels).
   explicit TriangleQuadtrees(const Mask& mask);
 
   using Triangle = std::uint32_t;
@@ -36,7 +37,7 @@ class TriangleQuadtrees {
 
  private:
   struct Node {
-    double black_share = 0;
+    float black_share = 0;
     std::uint32_t first_part = 0;  ///< of four; 0: not divided
   };
   struct Point {

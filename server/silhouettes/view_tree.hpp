@@ -31,8 +31,9 @@ inline constexpr int kMostSilhouetteDepth = 10;
 /// wider, as the cube's silhouette is, and is compressed to a square; so is a corner view's.
 int depth_of_pixels(const View& view, const Mask& mask);
 
-/// The tree of one view, in `pool`. A mask whose size is no power of two is resampled to one that
-/// is not smaller (mask.hpp). O(pixels, and cells in the picture).
+/// The tree of one view, in `pool`. A face or edge view's mask is resampled to the square with a
+/// pixel for each cell at depth_of_pixels (mask.hpp). O(pixels, and cells in the picture). Throws
+/// BadInput at the pool's limit.
 /// REQUIRES: a mask with pixels, no side longer than kMostMaskPixels.
 const ColouredNode* build_view_tree(const View& view, const Mask& mask,
                                     const SilhouetteRules& rules, NodePool& pool);

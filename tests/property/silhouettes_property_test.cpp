@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "common/base/errors.hpp"
 #include "common/program/threads.hpp"
 #include "common/tree/validate.hpp"
 #include "server/silhouettes/build_from_silhouettes.hpp"
@@ -360,6 +361,18 @@ TEST(SilhouetteOctree, IsEmptyIfOneSilhouetteIs) {
   EXPECT_EQ(tree.levels[0].kinds[0], NodeKind::White);
   state_levels_of_cubes(tree);
   EXPECT_EQ(tree.levels[0].statement, LevelStatement{});
+}
+
+TEST(SilhouetteOctree, OfNoiseIsRefusedAtALimit) {
+  Random random(20);
+  std::vector<Silhouette> silhouettes;
+  for (std::size_t view = 0; view < 3; ++view) {
+    silhouettes.push_back({view, Mask(1024, 1024)});
+    for (std::uint8_t& pixel : silhouettes.back().mask.pixels) pixel = random.chance(0.5);
+  }
+  EXPECT_THROW(tree_of(std::span(silhouettes).first(1)), BadInput);
+  EXPECT_THROW(tree_of(silhouettes), BadInput);
+  EXPECT_EQ(validate(tree_of(silhouettes, {}, 6)), std::vector<std::string>{});
 }
 
 TEST(SilhouetteStatement, HoldsForEveryCornerOfEveryLevelsCells) {

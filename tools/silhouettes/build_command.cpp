@@ -108,6 +108,15 @@ void check(const SilhouetteBuildArguments& arguments) {
     throw UsageError("--stages makes several files, which standard output cannot hold");
 }
 
+std::vector<Octree> build_trees(const Universe& cube, const std::vector<Silhouette>& silhouettes,
+                                const SilhouetteOptions& options, const std::string& masks) {
+  try {
+    return build_from_silhouettes(cube, silhouettes, options);
+  } catch (const BadInput& error) {
+    throw BadInput(masks + ": " + error.what());
+  }
+}
+
 /// A mask must not be lost by writing over it.
 void require_other_files(const std::vector<MaskFile>& masks, const std::string& output) {
   std::error_code ignored;
@@ -137,7 +146,7 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
   options.rules.max_depth =
       arguments.max_depth >= 0 ? arguments.max_depth : depth_of_pixels(silhouettes);
   options.stages = arguments.stages ? find_stages(masks) : std::vector<std::size_t>{masks.size()};
-  std::vector<Octree> trees = build_from_silhouettes(cube, silhouettes, options);
+  std::vector<Octree> trees = build_trees(cube, silhouettes, options, arguments.masks.front());
   const double build_s = elapsed.seconds() - read_s;
 
   std::vector<TableRow> rows{{"views", "nodes", "black", "volume", "share of the cube", "file"}};

@@ -9,6 +9,8 @@
 namespace spoctree {
 namespace {
 
+NodeLimit no_limit(1'000'000'000, "nodes");
+
 const ColouredNode* tree_of(const char* view, const Mask& mask, int depth, NodePool& pool) {
   SilhouetteRules rules;
   rules.max_depth = depth;
@@ -35,7 +37,7 @@ Mask with_pixel(int side, int column, int row) {
 }
 
 TEST(FaceTree, GivesEachQuadrantItsTwoLabels) {
-  NodePool pool;
+  NodePool pool(no_limit);
   EXPECT_EQ(black_octants(tree_of("face-x", with_pixel(2, 0, 0), 1, pool)), "4 5");
   EXPECT_EQ(black_octants(tree_of("face-x", with_pixel(2, 1, 0), 1, pool)), "6 7");
   EXPECT_EQ(black_octants(tree_of("face-x", with_pixel(2, 1, 1), 1, pool)), "2 3");
@@ -44,7 +46,7 @@ TEST(FaceTree, GivesEachQuadrantItsTwoLabels) {
 }
 
 TEST(FaceTree, GivesTheSubquadrantsOfAQuadrantFourLabels) {
-  NodePool pool;
+  NodePool pool(no_limit);
   const ColouredNode* const root = tree_of("face-x", with_pixel(4, 1, 0), 2, pool);
   for (const int octant : {4, 5}) EXPECT_EQ(black_octants(child_of(root, octant)), "6 7");
   EXPECT_EQ(child_of(root, 4), child_of(root, 5));
@@ -52,7 +54,7 @@ TEST(FaceTree, GivesTheSubquadrantsOfAQuadrantFourLabels) {
 }
 
 TEST(FaceTree, DividesNoSquareOfOneColour) {
-  NodePool pool;
+  NodePool pool(no_limit);
   EXPECT_EQ(tree_of("face-z", Mask(8, 8), 3, pool), kWhite);
   Mask full(8, 8);
   full.pixels.assign(64, 1);
@@ -60,7 +62,7 @@ TEST(FaceTree, DividesNoSquareOfOneColour) {
 }
 
 TEST(FaceTree, TakesAQuarterOfBlackPixelsForABlackCell) {
-  NodePool pool;
+  NodePool pool(no_limit);
   EXPECT_EQ(tree_of("face-x", with_pixel(2, 0, 0), 0, pool), kBlack);
   EXPECT_EQ(tree_of("face-x", with_pixel(4, 0, 0), 0, pool), kWhite);
   EXPECT_EQ(black_octants(tree_of("face-x", with_pixel(4, 0, 0), 1, pool)), "4 5");
@@ -68,14 +70,14 @@ TEST(FaceTree, TakesAQuarterOfBlackPixelsForABlackCell) {
 
 TEST(EdgeTree, MarksTheCentreSquareOfTwoByTwoPixelsIfEitherIsBlack) {
   // The paper's example: upper right pixel from edge 3-7 is octant 6, and with it 7 and 4.
-  NodePool pool;
+  NodePool pool(no_limit);
   EXPECT_EQ(black_octants(tree_of("edge-37", with_pixel(2, 1, 0), 1, pool)), "4 6 7");
   EXPECT_EQ(black_octants(tree_of("edge-37", with_pixel(2, 0, 0), 1, pool)), "4 5 7");
 }
 
 TEST(EdgeTree, LooksAtCentreSquaresAndNotAtMargins) {
   // Four columns: left quadrant 0 1, centre 1 2, right 2 3.
-  NodePool pool;
+  NodePool pool(no_limit);
   Mask mask(4, 4);
   for (const int column : {1, 2}) {
     for (const int row : {0, 1}) mask.at(column, row) = 1;
@@ -87,7 +89,7 @@ TEST(EdgeTree, LooksAtCentreSquaresAndNotAtMargins) {
 }
 
 TEST(EdgeTree, IsTheSameForAPictureAsWideAsTheCubeLooks) {
-  NodePool pool;
+  NodePool pool(no_limit);
   Mask wide(6, 4);
   for (int column = 3; column < 6; ++column) {
     for (int row = 0; row < 4; ++row) wide.at(column, row) = 1;
@@ -167,7 +169,7 @@ TEST(CornerTree, FindsEveryOctantInEveryView) {
   for (const View& view : all_views()) {
     if (view.kind != ViewKind::Corner) continue;
     for (int octant = 0; octant < 8; ++octant) {
-      NodePool pool;
+      NodePool pool(no_limit);
       SilhouetteRules rules;
       rules.max_depth = 4;
       const ColouredNode* const root =
