@@ -13,6 +13,9 @@ namespace spoctree {
 
 namespace {
 
+/// More than the sums below can be off.
+constexpr double kRounding = 1 + 0x1p-48;
+
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 /// For each node of a level, how far its points can be from material in the node at most: kInfinite
@@ -55,7 +58,7 @@ void state_levels_of_cubes(Octree& tree) {
     for (std::uint32_t i = 0; i < level.size(); ++i) {
       if (level.kinds[i] == NodeKind::Grey) bound = std::max(bound, reach[i]);
     }
-    tree.levels[k].statement.error_bound = bound;
+    tree.levels[k].statement.error_bound = bound * kRounding;
   }
   // T_k lies in T_k-1: what bounds the one bounds the other.
   for (std::size_t k = 1; k < count; ++k) {
