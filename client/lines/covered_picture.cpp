@@ -20,6 +20,9 @@ bool do_overlap(const Rectangle& rectangle, const Rectangle& open) {
 /// Pictures are not smaller than this.
 constexpr double kLeastSize = 1e-9;
 
+/// Where a line through a point so many units off runs is known up to this times as much.
+constexpr double kRounding = 1e-15;
+
 /// Most tiles are full when one polygon covers them, soon behind the surface. Where that does not
 /// happen, as where seams lie one behind the other, what all polygons leave is found out when there
 /// are so many of them, and again whenever there are twice as many.
@@ -117,9 +120,15 @@ void CoveredPicture::cover(std::span<const Vec2> polygon, double tolerance) {
         count = static_cast<std::uint32_t>(polygon.size());
         for (std::size_t k = 0; k < polygon.size(); ++k) {
           const Vec2 from = polygon[k];
-          const Vec2 along = polygon[k + 1 == polygon.size() ? 0 : k + 1] - from;
+          const Vec2 to = polygon[k + 1 == polygon.size() ? 0 : k + 1];
+          const Vec2 along = to - from;
           const Vec2 outwards = Vec2{along.y, -along.x} / glm::length(along);
-          half_planes_.push_back({outwards, glm::dot(outwards, from) + tolerance});
+          // Beside the viewer, ends are as far off as a million pictures: the nearer one says
+          // better where the line through both is.
+          const bool is_from_nearer = glm::dot(from, from) <= glm::dot(to, to);
+          const Vec2 end = is_from_nearer ? from : to;
+          const double rounding = kRounding * std::max(std::abs(end.x), std::abs(end.y));
+          half_planes_.push_back({outwards, glm::dot(outwards, end) + tolerance + rounding});
         }
       }
       cover_tile(column, row, extent, first, count);

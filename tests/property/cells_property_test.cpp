@@ -331,6 +331,21 @@ TEST(Avenues, ShowFromWithinWhatIsSeenFromFrontToBack) {
   EXPECT_GT(drawn, 20);
 }
 
+TEST(Avenues, ShowTheSameToAnEyeInAWallOfTheTree) {
+  // Material on both sides of the wall meets in the picture along a line that reaches past the
+  // viewer, and hides the lines on it.
+  for (const std::uint64_t seed : {94u, 604u}) {
+    const Octree tree = random_tree(seed, {.max_nodes = 200});
+    const LineScene scene(tree, rebuild_surface(tree));
+    const CellScene cells(scene);
+    for (const EyeWithin& eye : eyes_within(cells.space(), 3)) {
+      const Camera camera = Camera::perspective(eye.at, eye.at - 0.5 * kDirections[0]);
+      const double half = camera.focal_length();
+      expect_same(scene, cells, camera, {{-half, -half}, {half, half}});
+    }
+  }
+}
+
 /// Middles of faces and edges of cells, corners, as rounding leaves them, well off the solid.
 std::vector<Vec3> eyes_on_borders(const EmptySpace& space, std::uint32_t level) {
   std::vector<Vec3> eyes;
