@@ -282,7 +282,7 @@ Drawing make_sheet(std::span<const Picture> pictures, const Universe& universe,
                    const SheetOptions& options) {
   const Grid grid(pictures, options.symbol.has_value());
   const PageLayout page = lay_out(grid.content(), universe.scale(), options.page);
-  const double touch = kJoinTolerance * 2 * std::sqrt(3.0) * universe.half_side;
+  const double touch = kPaperTolerance * 2 * std::sqrt(3.0) * universe.half_side;
   GroupCollector groups;
   for (std::size_t k = 0; k < pictures.size(); ++k) {
     const View& view = pictures[k].view;

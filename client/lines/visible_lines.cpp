@@ -214,8 +214,7 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
   for (const CreasePart& part : hidden) make(part, true);
   making.tell();
   small_count(2 * lines.size(), "ends of lines", kMostIn32Bits - 1);
-  const double joint = camera.is_perspective() ? kCloseJoinTolerance : kJoinTolerance;
-  lines = join_lines(lines, joint * unit, options.progress.part(kJoining));
+  lines = join_lines(lines, kJoinTolerance * unit, options.progress.part(kJoining));
   lines = remove_overlaps(std::move(lines), camera, kOverlapTolerance * unit,
                           options.progress.part(kComparing));
   std::erase_if(lines, [&](const VisibleLine& line) {

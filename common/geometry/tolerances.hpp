@@ -50,12 +50,13 @@ inline constexpr double kFlatCrease = 1e-10;
 /// symmetric in single precision, and corners that merging has moved, lie as far apart.
 inline constexpr double kOverlapTolerance = 5e-7;
 
-/// Consecutive lines become one line if their joints stand off it by less than this, in space or on
-/// paper: what was straight before it was written in single precision stands off by as much.
-inline constexpr double kJoinTolerance = 1e-7;
+/// Consecutive lines become one line if their joints stand off it by less than this.
+inline constexpr double kJoinTolerance = 1e-9;
 
-/// The same in space for a perspective, whose picture enlarges what is near the eye.
-inline constexpr double kCloseJoinTolerance = 1e-9;
+/// On paper, lines whose ends are nearer than this to each other go on, and what stands off a
+/// straight line by less is on it (of the universe's diagonal, at the drawing's scale): what was
+/// straight before it was written in single precision stands off by as much.
+inline constexpr double kPaperTolerance = 1e-7;
 
 /// What is nearer than this to the plane through the eye, across the axis of sight, is not drawn in
 /// a perspective (universe units).
