@@ -105,7 +105,8 @@ int main(int argc, char** argv) {
       ->check(CLI::Range(16, 1024))
       ->capture_default_str();
   experiment_command
-      .add_option("--corner-fraction", experiment.options.corner_fraction, "as for build")
+      .add_option("--corner-fraction", experiment.options.corner_fraction,
+                  "as for build, where less is usual: no smallest cell is lost there")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   experiment_command.add_flag("--variants", experiment.variants,

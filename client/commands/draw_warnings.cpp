@@ -31,11 +31,21 @@ std::string reason_of(const View& view, const Octree& tree, std::uint32_t level)
 
 std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree) {
   std::vector<std::string> warnings;
-  for (const Picture& picture : level.pictures) {
-    if (!shows_nothing(picture)) continue;
-    std::string warning = level.model + ": " + reason_of(picture.view, tree, level.level);
+  const auto warn = [&](const std::string& text) {
+    std::string warning = level.model + ": " + text;
     if (std::find(warnings.begin(), warnings.end(), warning) == warnings.end())
       warnings.push_back(std::move(warning));
+  };
+  for (const Picture& picture : level.pictures) {
+    const Camera& camera = picture.view.camera;
+    if (shows_nothing(picture)) {
+      warn(reason_of(picture.view, tree, level.level));
+    } else if (camera.is_perspective() &&
+               classify_point(tree, camera.eye(), level.level) == PointClass::On) {
+      warn(
+          "the eye is exactly on the surface: what lies in the faces around it may be drawn or "
+          "not");
+    }
   }
   return warnings;
 }

@@ -1,4 +1,4 @@
-// Drawn pictures -> what a user should be told of those with nothing in them.
+// Drawn pictures -> what a user should be told of those that may not be what was meant.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 namespace spoctree {
 
 /// A sentence for each picture without a visible line that says why: an eye inside the solid, or in
-/// a cell that is full only until later levels, sees nothing. Each sentence once. REQUIRES: `tree`
+/// a cell that is full only until later levels, sees nothing; and for each eye exactly on the
+/// surface. Each sentence once. REQUIRES: `tree`
 /// has the level that was drawn.
 std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree);
 

@@ -2,6 +2,7 @@
 
 #include "client/commands/commands.hpp"
 #include "common/program/output.hpp"
+#include "common/report/model_note.hpp"
 
 namespace spoctree {
 
@@ -11,9 +12,12 @@ void run_measure(const MeasureArguments& arguments) {
   }
   stream.progress_line().show("measuring level " + std::to_string(stream.level()));
   const Measures measures = measure(stream.tree(), stream.level());
-  const std::string& units = stream.decoder().info().source.units;
-  const std::string text =
-      arguments.as_json ? to_json(measures, stream.model_name(), units) : to_table(measures, units);
+  const SourceInfo& source = stream.decoder().info().source;
+  std::string text = arguments.as_json ? to_json(measures, stream.model_name(), source.units)
+                                       : to_table(measures, source.units);
+  // Of a tree of cubes, what is exact is the cubes.
+  const std::string note = note_on_levels(source);
+  if (!arguments.as_json && !note.empty()) text += "about       " + note;
   stream.progress_line().clear();
   print(text);
 }

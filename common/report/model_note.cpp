@@ -4,6 +4,10 @@ namespace spoctree {
 
 std::string note_on_levels(const SourceInfo& source) {
   const std::string& options = source.build_options;
+  if (options.starts_with("kind=silhouettes ")) {
+    return "octree from silhouettes: the solid is the cubes that project into all masks, and every "
+           "level contains it; of the object that was seen nothing is certain\n";
+  }
   if (!options.starts_with("kind=classical ")) return {};
   const bool is_full = options.find(" partial=full") != std::string::npos;
   return std::string("classical octree, ") +

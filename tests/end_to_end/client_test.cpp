@@ -325,6 +325,8 @@ TEST_F(Client, SaysWhyAPictureIsEmpty) {
   EXPECT_NE(complaint_of({"--eye", "50,40,5", "--level", "0"}).find("level 0"), std::string::npos);
   EXPECT_NE(complaint_of({"--eye", "0,-300,0", "--target", "0,-600,0"}).find("empty"),
             std::string::npos);
+  // On its upper side, at a corner.
+  EXPECT_NE(complaint_of({"--eye", "50,40,14"}).find("exactly on the surface"), std::string::npos);
   // The last level has no steps.
   const std::string steps = complaint_of({"--lines", "step", "--view", "front,top"});
   EXPECT_NE(steps.find("'front' is empty"), std::string::npos) << steps;

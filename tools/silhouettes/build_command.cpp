@@ -171,6 +171,11 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
       black += level.count_kinds()[static_cast<std::size_t>(NodeKind::Black)];
     }
     const double volume = trees[i].levels.back().statement.outer_volume;
+    if (volume == 0)
+      std::fprintf(stderr,
+                   "spoctree-silhouettes: %s is empty: no point of the cube projects into all of "
+                   "its %zu masks\n",
+                   names[i].c_str(), options.stages[i]);
     const double side = cube.side();
     rows.push_back({std::to_string(options.stages[i]), std::to_string(nodes), std::to_string(black),
                     to_short_text(volume),

@@ -8,6 +8,7 @@
 #include <optional>
 #include <random>
 
+#include "common/base/errors.hpp"
 #include "common/base/parallel.hpp"
 #include "server/silhouettes/build_from_silhouettes.hpp"
 #include "server/silhouettes/render_silhouette.hpp"
@@ -126,6 +127,8 @@ Accuracy accuracy_of(double volume, const std::vector<double>& octree_volumes) {
   double sum = 0;
   double squares = 0;
   for (const double octree_volume : octree_volumes) {
+    if (octree_volume == 0)
+      throw BadInput("an object is lost between the pixels: --size should be larger");
     const double ratio = volume / octree_volume;
     accuracy.lowest = std::min(accuracy.lowest, ratio);
     accuracy.highest = std::max(accuracy.highest, ratio);
