@@ -18,10 +18,14 @@ DRAWINGS = {
                       "21000,22000,1700", "35000,35500,8500", 84),
     "cells-9-roofs": ("the court from above a roof", "city-block",
                       "15000,29000,30000", "34000,33000,8000", 75),
+    "cells-10-pillar": ("the court from the corner beyond its pillar", "city-block",
+                        "39000,38500,1700", "24500,26000,7500", 84),
     "cells-11-archway": ("the street through the archway", "city-block",
                          "25500,36000,1700", "48000,36000,3500", 60),
     "cells-12-tower": ("the block from outside", "city-block",
                        "-24000,-30000,42000", "30000,30000,6000", 60),
+    "cells-13-far-side": ("the block from its far side", "city-block",
+                          "-45000,130000,52000", "30000,30000,6000", 40),
 }
 
 # As figure 14, two eyes beside each other.
