@@ -1,8 +1,7 @@
 #include "client/draw/chain_lines.hpp"
 
 #include <algorithm>
-#include <array>
-#include <map>
+#include <span>
 #include <tuple>
 
 #include "client/lines/arrange_lines.hpp"
@@ -133,29 +132,16 @@ VisibleLines reversed_chain(const VisibleLines& chain) {
   return result;
 }
 
-/// The pen order of the lines from the beginning of each chain to its end is that of the chains.
 VisibleLines in_short_order(const std::vector<VisibleLines>& chains, const Camera& camera) {
-  using Key = std::array<double, 6>;
-  const auto key_of = [](Vec3 a, Vec3 b) { return Key{a.x, a.y, a.z, b.x, b.y, b.z}; };
-  std::map<Key, std::vector<std::size_t>> chains_between;  // the last one is drawn next
-  VisibleLines ways;
-  for (std::size_t k = chains.size(); k-- > 0;) {
-    const Vec3 begin = chains[k].front().a;
-    const Vec3 end = chains[k].back().b;
-    chains_between[key_of(begin, end)].push_back(k);
-  }
+  std::vector<Vec2> ends;
   for (const VisibleLines& chain : chains) {
-    ways.push_back(chain.front());
-    ways.back().b = chain.back().b;
+    ends.push_back(camera.project(chain.front().a));
+    ends.push_back(camera.project(chain.back().b));
   }
   VisibleLines result;
-  for (const VisibleLine& way : in_pen_order(ways, camera)) {
-    auto between = chains_between.find(key_of(way.a, way.b));
-    const bool is_reversed = between == chains_between.end() || between->second.empty();
-    if (is_reversed) between = chains_between.find(key_of(way.b, way.a));
-    const VisibleLines& chain = chains[between->second.back()];
-    between->second.pop_back();
-    const VisibleLines turned = is_reversed ? reversed_chain(chain) : chain;
+  for (const std::uint32_t end : pen_order(ends)) {
+    const VisibleLines& chain = chains[end / 2];
+    const VisibleLines turned = end % 2 == 1 ? reversed_chain(chain) : chain;
     result.insert(result.end(), turned.begin(), turned.end());
   }
   return result;

@@ -19,6 +19,10 @@ VisibleLines join_lines(const VisibleLines& lines, double tolerance,
 VisibleLines remove_overlaps(VisibleLines lines, const Camera& camera, double tolerance,
                              const ProgressShare& progress = {});
 
+/// For ways between ends 2 k and 2 k + 1: the ends at which a pen should begin them, in an order
+/// that makes short ways between them, always on to the nearest end. About O(n log n).
+std::vector<std::uint32_t> pen_order(const std::vector<Vec2>& ends);
+
 /// Orders and turns lines so that a pen that draws each from `a` to `b` makes short ways between
 /// them: hidden lines first, then creases, then silhouettes; within these always on to the nearest
 /// end of a line not drawn yet. Deterministic. About O(n log n).

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "client/lines/arrange_lines.hpp"
 
@@ -119,17 +121,46 @@ class EndsLeft {
   std::vector<std::uint32_t> items_;
 };
 
+Vec2 first_place(const std::vector<Vec2>& ends) {
+  Vec2 pen{0.0};
+  for (const Vec2 end : ends) pen = glm::min(pen, end);
+  return pen;
+}
+
+/// Calls visit(end) for all of the lines, in the order in which and at the ends at which a pen at
+/// `pen` should begin them; moves the pen.
+template <class Visit>
+void visit_in_order(std::vector<std::uint32_t> lines, const std::vector<Vec2>& ends, Vec2& pen,
+                    Visit&& visit) {
+  EndsLeft left(std::move(lines), ends);
+  while (!left.is_empty()) {
+    const std::uint32_t end = left.nearest(pen);
+    visit(end);
+    pen = ends[end ^ 1];
+    left.forget(end / 2);
+  }
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> pen_order(const std::vector<Vec2>& ends) {
+  std::vector<std::uint32_t> lines(ends.size() / 2);
+  std::iota(lines.begin(), lines.end(), 0);
+  std::vector<std::uint32_t> order;
+  order.reserve(lines.size());
+  Vec2 pen = first_place(ends);
+  visit_in_order(std::move(lines), ends, pen, [&](std::uint32_t end) { order.push_back(end); });
+  return order;
+}
 
 VisibleLines in_pen_order(VisibleLines lines, const Camera& camera, const ProgressShare& progress) {
   std::vector<Vec2> ends;
   ends.reserve(2 * lines.size());
-  Vec2 pen{0.0};
   for (const VisibleLine& line : lines) {
     ends.push_back(camera.project(line.a));
     ends.push_back(camera.project(line.b));
   }
-  for (const Vec2 end : ends) pen = glm::min(pen, end);
+  Vec2 pen = first_place(ends);
 
   const auto layer_of = [](const VisibleLine& line) {
     return line.hidden ? 0 : (line.kind == LineKind::Crease ? 1 : 2);
@@ -142,16 +173,12 @@ VisibleLines in_pen_order(VisibleLines lines, const Camera& camera, const Progre
     for (std::uint32_t k = 0; k < lines.size(); ++k) {
       if (layer_of(lines[k]) == layer) members.push_back(k);
     }
-    EndsLeft left(std::move(members), ends);
-    while (!left.is_empty()) {
+    visit_in_order(std::move(members), ends, pen, [&](std::uint32_t end) {
       counter.add(per_item(lines.size()));
-      const std::uint32_t end = left.nearest(pen);
       VisibleLine& line = lines[end / 2];
       if (end % 2 == 1) reverse(line);
       result.push_back(std::move(line));
-      pen = ends[end ^ 1];
-      left.forget(end / 2);
-    }
+    });
   }
   return result;
 }
