@@ -19,6 +19,7 @@
 #include "tests/support/compare_drawings.hpp"
 #include "tests/support/drawing_judge.hpp"
 #include "tests/support/eyes_within.hpp"
+#include "tests/support/model_solid.hpp"
 #include "tests/support/solid_mesh.hpp"
 #include "tools/model/models.hpp"
 
@@ -56,14 +57,7 @@ double timed(Run&& run) {
 Solid solid_of(const std::string& source) {
   for (const model::ModelInfo& info : model::models()) {
     if (info.name != source) continue;
-    const model::PolygonMesh made = model::make_model(source);
-    PolygonSoup soup;
-    soup.points = made.points;
-    for (const model::Loop& face : made.faces) {
-      soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-      close_face(soup);
-    }
-    return import_solid(soup, source, {});
+    return model_solid(source);
   }
   return import_solid(read_mesh(source), source, {});
 }

@@ -66,11 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Yardstick{"scan/stanford-bunny-filled_3996f.off", 117, 18177, 27224},
                     Yardstick{"cad/fandisk_12946f.off", 83, 40697, 54452},
                     Yardstick{"cad/anchor_1050f.off", 41, 6113, 7349}),
-    [](const auto& tested) {
-      std::string name = fs::path(tested.param.file).stem().string();
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+    [](const auto& tested) { return test_name_of(tested.param.file); });
 
 TEST_F(Corpus, DoubleTorus) { judge("cad/double-torus_ngons_220f.off"); }
 TEST_F(Corpus, SmallPartsOfCad) { judge_folder("cad", 60000); }

@@ -52,11 +52,7 @@ INSTANTIATE_TEST_SUITE_P(Models, DrawingCorpus,
                                          "cad/u-profile_168f.off", "cad/couplingdown_3714f.off",
                                          "cad/anchor_1050f.off", "cad/cross_38quads.off",
                                          "scan/stanford-bunny-filled_998f.off"),
-                         [](const auto& tested) {
-                           std::string name = fs::path(tested.param).stem().string();
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& tested) { return test_name_of(tested.param); });
 
 }  // namespace
 }  // namespace spoctree

@@ -10,7 +10,7 @@
 #include "server/build/build_octree.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/solid/import_solid.hpp"
-#include "tests/support/compare_drawings.hpp"
+#include "tests/support/compare_methods.hpp"
 #include "tests/support/eyes_within.hpp"
 #include "tests/support/meshes_folder.hpp"
 
@@ -23,12 +23,7 @@ class MethodsCorpus : public testing::TestWithParam<const char*> {};
 
 void expect_same(const LineScene& scene, const CellScene& cells, const Camera& camera,
                  const Rectangle& frame) {
-  LineOptions options;
-  options.frame = frame;
-  const VisibleLines front = visible_lines(scene, camera, options);
-  options.find_seen_parts = cells.finder();
-  const VisibleLines seen = visible_lines(scene, camera, options);
-  const auto difference = compare_drawings(front, seen, camera, frame, 1e-6 * scene.diagonal());
+  const DrawingDifference difference = compare_methods(scene, cells, camera, frame);
   EXPECT_GT(difference.length, 0);
   EXPECT_EQ(difference.only_first, 0);
   EXPECT_EQ(difference.only_second, 0);
@@ -64,11 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
                     "polygons/hole_quads_28f.off", "cad/anchor_1050f.off", "cad/spool_1294f.off",
                     "cad/couplingdown_3714f.off", "high-genus/helmet_1000f.off",
                     "multi/eryone-er20_792f.stl", "scan/stanford-bunny-filled_998f.off"),
-    [](const auto& tested) {
-      std::string name = fs::path(tested.param).stem().string();
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+    [](const auto& tested) { return test_name_of(tested.param); });
 
 }  // namespace
 }  // namespace spoctree

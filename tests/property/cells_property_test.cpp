@@ -15,26 +15,18 @@
 #include "common/geometry/predicates.hpp"
 #include "common/tree/classify.hpp"
 #include "server/build/build_octree.hpp"
-#include "server/solid/import_solid.hpp"
-#include "tests/support/compare_drawings.hpp"
+#include "tests/support/compare_methods.hpp"
 #include "tests/support/degenerate_tree.hpp"
 #include "tests/support/eyes_within.hpp"
+#include "tests/support/model_solid.hpp"
 #include "tests/support/polyhedron_checks.hpp"
 #include "tests/support/sample_trees.hpp"
-#include "tools/model/models.hpp"
 
 namespace spoctree {
 namespace {
 
 Octree tree_of_model(const char* name, std::optional<int> size = {}) {
-  const model::PolygonMesh made = model::make_model(name, size);
-  PolygonSoup soup;
-  soup.points = made.points;
-  for (const model::Loop& face : made.faces) {
-    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-    EXPECT_TRUE(close_face(soup).empty());
-  }
-  const Solid solid = import_solid(soup, name, {});
+  const Solid solid = model_solid(name, size);
   return build_octree(solid, SolidQueries(solid), {}).tree;
 }
 
@@ -285,12 +277,7 @@ double expect_same(const LineScene& scene, const CellScene& cells, const Camera&
                    Rectangle frame) {
   // What lies exactly on the frame's border may be in the picture or not.
   frame = {frame.lower - 1e-3, frame.upper + 1e-3};
-  LineOptions options;
-  options.frame = frame;
-  const VisibleLines front = visible_lines(scene, camera, options);
-  options.find_seen_parts = cells.finder();
-  const VisibleLines seen = visible_lines(scene, camera, options);
-  const auto difference = compare_drawings(front, seen, camera, frame, 1e-6 * scene.diagonal());
+  const DrawingDifference difference = compare_methods(scene, cells, camera, frame);
   EXPECT_EQ(difference.only_first, 0);
   EXPECT_EQ(difference.only_second, 0);
   for (const std::string& fault : difference.faults) ADD_FAILURE() << fault;

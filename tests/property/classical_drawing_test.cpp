@@ -6,23 +6,14 @@
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/polygon_mesh.hpp"
 #include "server/build/build_octree.hpp"
-#include "server/solid/import_solid.hpp"
 #include "tests/support/drawing_judge.hpp"
-#include "tools/model/models.hpp"
+#include "tests/support/model_solid.hpp"
 
 namespace spoctree {
 namespace {
 
 Octree classical(const char* name, PartialCells partial) {
-  const model::PolygonMesh mesh = model::make_model(name);
-  PolygonSoup soup;
-  soup.points = mesh.points;
-  soup.first_corner = {0};
-  for (const auto& face : mesh.faces) {
-    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
-  }
-  const Solid solid = import_solid(soup, name, {});
+  const Solid solid = model_solid(name);
   const SolidQueries queries(solid);
   BuildOptions options;
   options.rules = ClassicalRules{4, partial};

@@ -19,23 +19,18 @@
 #include "common/wire/decode.hpp"
 #include "common/wire/encode.hpp"
 #include "server/build/certify.hpp"
-#include "server/solid/import_solid.hpp"
 #include "tests/support/cell_oracle.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/hand_solid.hpp"
+#include "tests/support/model_solid.hpp"
+#include "tests/support/solid_mesh.hpp"
 #include "tests/unit/build/cells.hpp"
-#include "tools/model/models.hpp"
 
 namespace spoctree {
 namespace {
 
 constexpr PartialCells kAllPartials[] = {PartialCells::Full, PartialCells::Void,
                                          PartialCells::Half};
-
-Solid model_solid(const char* name, std::optional<int> size = {}) {
-  const PlainMesh mesh = parse_off_text(model::to_off(model::make_model(name, size)));
-  return import_solid(to_soup(mesh), name, {});
-}
 
 /// Throws BadInput where nothing is left.
 BuiltOctree classical(const Solid& solid, int depth, PartialCells partial) {
@@ -119,7 +114,7 @@ void judge_cells(const Solid& solid, int depth, const std::function<bool(Vec3)>&
 }
 
 void judge_cells(const Solid& solid, int depth) {
-  const MeshJudge judge(mesh_of(solid));
+  const MeshJudge judge(universe_mesh_of(solid));
   judge_cells(solid, depth, [&](Vec3 point) { return judge.is_inside(point); });
 }
 
@@ -212,7 +207,7 @@ TEST(Classical, EveryLevelOfAFullTreeContainsTheSolid) {
     SCOPED_TRACE(name);
     const Solid solid = model_solid(name);
     const Octree tree = classical(solid, 5, PartialCells::Full).tree;
-    const MeshJudge judge(mesh_of(solid));
+    const MeshJudge judge(universe_mesh_of(solid));
     Random random(1);
     for (std::uint32_t k = 0; k < tree.levels.size(); ++k) {
       for (const Vec3 vertex : solid.vertices) {
@@ -232,7 +227,7 @@ TEST(Classical, AVoidTreeIsContainedInTheSolid) {
     SCOPED_TRACE(name);
     const Solid solid = model_solid(name);
     const Octree tree = classical(solid, 5, PartialCells::Void).tree;
-    const MeshJudge judge(mesh_of(solid));
+    const MeshJudge judge(universe_mesh_of(solid));
     Random random(2);
     std::size_t full = 0;
     for (int i = 0; i < 20000; ++i) {
@@ -274,7 +269,7 @@ void judge_levels(const Solid& solid, int depth, PartialCells partial) {
   const BuiltOctree built = classical(solid, depth, partial);
   const Octree& tree = built.tree;
   const std::string stream = encode_stream(tree, {});
-  const MeshJudge judge(mesh_of(solid));
+  const MeshJudge judge(universe_mesh_of(solid));
   const double unit = solid.universe.scale();
   Random random(3);
   for (std::uint32_t k = 0; k < tree.levels.size(); ++k) {

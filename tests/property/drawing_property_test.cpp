@@ -10,13 +10,13 @@
 #include "client/lines/visible_lines.hpp"
 #include "client/rebuild/polygon_mesh.hpp"
 #include "server/build/build_octree.hpp"
-#include "server/solid/import_solid.hpp"
 #include "tests/support/degenerate_tree.hpp"
 #include "tests/support/drawing_judge.hpp"
+#include "tests/support/meshes_folder.hpp"
+#include "tests/support/model_solid.hpp"
 #include "tests/support/solid_mesh.hpp"
 #include "tests/support/voxels.hpp"
 #include "tests/unit/judge/judge_scenes.hpp"
-#include "tools/model/models.hpp"
 
 namespace spoctree {
 namespace {
@@ -101,14 +101,7 @@ void PrintTo(const TriedModel& model, std::ostream* out) { *out << model.name; }
 class DrawingsOfModels : public testing::TestWithParam<TriedModel> {};
 
 TEST_P(DrawingsOfModels, ShowWhatIsSeen) {
-  const model::PolygonMesh made = model::make_model(GetParam().name, GetParam().size);
-  PolygonSoup soup;
-  soup.points = made.points;
-  for (const model::Loop& face : made.faces) {
-    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
-    ASSERT_TRUE(close_face(soup).empty());
-  }
-  const Solid solid = import_solid(soup, GetParam().name, {});
+  const Solid solid = model_solid(GetParam().name, GetParam().size);
   const Octree tree = build_octree(solid, SolidQueries(solid), {}).tree;
   const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);
   for (const std::uint32_t level : {0u, last / 2}) {
@@ -131,11 +124,7 @@ INSTANTIATE_TEST_SUITE_P(Models, DrawingsOfModels,
                                          TriedModel{"two-parts", {}}, TriedModel{"saddle", {}},
                                          TriedModel{"wavy-sphere", 10}, TriedModel{"sphere", 8},
                                          TriedModel{"cylinder", 40}, TriedModel{"cone", 24}),
-                         [](const auto& tested) {
-                           std::string name = tested.param.name;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& tested) { return test_name_of(tested.param.name); });
 
 /// The boundary of voxels, square by square, around the origin.
 PlainMesh mesh_of(const Voxels& voxels, const Universe& universe) {

@@ -142,11 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Models, SurfaceRebuilderOnMeshes,
                                          "cad/anchor_1050f.off", "cad/cross_38quads.off",
                                          "cad/fandisk_12946f.off",
                                          "scan/stanford-bunny-filled_3996f.off"),
-                         [](const auto& tested) {
-                           std::string name = std::filesystem::path(tested.param).stem().string();
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& tested) { return test_name_of(tested.param); });
 
 }  // namespace
 }  // namespace spoctree

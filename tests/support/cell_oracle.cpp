@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "tests/support/solid_mesh.hpp"
+
 namespace spoctree {
 
 namespace {
@@ -61,17 +63,8 @@ bool meets_inside(const std::array<Vec3, 3>& corners, Vec3 lower, double side) {
 
 }  // namespace
 
-PlainMesh mesh_of(const Solid& solid) {
-  PlainMesh mesh;
-  mesh.points = solid.vertices;
-  for (const SolidTriangle& t : solid.triangles) {
-    mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
-  }
-  return mesh;
-}
-
 CellOracle::CellOracle(const Solid& solid)
-    : half_side_(solid.universe.half_side), mesh_(mesh_of(solid)), judge_(mesh_) {}
+    : half_side_(solid.universe.half_side), mesh_(universe_mesh_of(solid)), judge_(mesh_) {}
 
 CellOracle::Cell CellOracle::cell(Vec3 lower, double side) const {
   for (const auto& face : mesh_.faces) {

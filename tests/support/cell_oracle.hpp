@@ -9,9 +9,6 @@
 
 namespace spoctree {
 
-/// The triangles of a solid, in universe coordinates.
-PlainMesh mesh_of(const Solid& solid);
-
 /// What the cells of a regular grid are, by the definition alone: every cell is compared with every
 /// triangle. For small grids and meshes.
 class CellOracle {

@@ -1,4 +1,4 @@
-// A solid as the mesh that it was made from.
+// A solid as a mesh, for judges that know nothing of solids.
 #pragma once
 
 #include "server/solid/solid.hpp"
@@ -6,13 +6,20 @@
 
 namespace spoctree {
 
-/// The triangles that a tree is made from, in model coordinates.
-inline PlainMesh mesh_of(const Solid& solid) {
+/// The triangles that a tree is made from, in universe coordinates.
+inline PlainMesh universe_mesh_of(const Solid& solid) {
   PlainMesh mesh;
-  for (const Vec3 v : solid.vertices) mesh.points.push_back(solid.universe.to_model(v));
+  mesh.points = solid.vertices;
   for (const SolidTriangle& t : solid.triangles) {
     mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
   }
+  return mesh;
+}
+
+/// The same in model coordinates.
+inline PlainMesh mesh_of(const Solid& solid) {
+  PlainMesh mesh = universe_mesh_of(solid);
+  for (auto& point : mesh.points) point = solid.universe.to_model(point);
   return mesh;
 }
 

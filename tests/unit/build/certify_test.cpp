@@ -12,6 +12,8 @@
 #include "server/solid/import_solid.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/mesh_judge.hpp"
+#include "tests/support/model_solid.hpp"
+#include "tests/support/solid_mesh.hpp"
 #include "tests/unit/build/cells.hpp"
 #include "tools/model/models.hpp"
 
@@ -31,15 +33,6 @@ struct Pieces : PieceVisitor {
   double grey = 0;
   std::vector<std::vector<Vec3>> grey_pieces;  ///< their corners
 };
-
-PlainMesh mesh_of(const Solid& solid) {
-  PlainMesh mesh;
-  mesh.points = solid.vertices;
-  for (const SolidTriangle& t : solid.triangles) {
-    mesh.faces.push_back({t.vertex[0], t.vertex[1], t.vertex[2]});
-  }
-  return mesh;
-}
 
 /// A point of the convex hull of some points: on the way between two, three, four of them, or all.
 Vec3 random_mixture(const std::vector<Vec3>& corners, Random& random) {
@@ -158,7 +151,7 @@ void judge_statements(const Solid& solid, const SpRules& rules = {}) {
   BuiltOctree built = build_octree(solid, queries, options);
   certify(built, solid, queries);
   const Octree& tree = built.tree;
-  const MeshJudge judge(mesh_of(solid));
+  const MeshJudge judge(universe_mesh_of(solid));
   const double unit = solid.universe.scale();
   Random random(1);
   double previous = 1e300;
@@ -208,8 +201,7 @@ TEST(Certify, HoldsForModels) {
   for (const char* name :
        {"mechanical-piece", "l-bracket", "double-torus", "nested-boxes", "two-parts", "saddle"}) {
     SCOPED_TRACE(name);
-    const PlainMesh mesh = parse_off_text(model::to_off(model::make_model(name)));
-    judge_statements(import_solid(to_soup(mesh), name, {}));
+    judge_statements(model_solid(name));
   }
 }
 
@@ -241,7 +233,8 @@ TEST(Certify, HoldsForLargeConvexParts) {
   walk.level = 0;
   walk_pieces(built.tree, walk, pieces);
   Random random(1);
-  const double sampled = sampled_distance(pieces.grey_pieces, MeshJudge(mesh_of(solid)), random);
+  const double sampled =
+      sampled_distance(pieces.grey_pieces, MeshJudge(universe_mesh_of(solid)), random);
   const double bound = built.tree.levels[0].statement.error_bound / solid.universe.scale();
   EXPECT_GE(bound, sampled);
   // Samples of one piece with thousands of corners are not dense.

@@ -10,18 +10,12 @@
 #include "common/wire/encode.hpp"
 #include "server/build/certify.hpp"
 #include "server/build/order_free_sum.hpp"
-#include "server/solid/import_solid.hpp"
 #include "tests/support/chain.hpp"
+#include "tests/support/model_solid.hpp"
 #include "tests/unit/build/cells.hpp"
-#include "tools/model/models.hpp"
 
 namespace spoctree {
 namespace {
-
-Solid model_solid(const char* name, int size) {
-  const PlainMesh mesh = parse_off_text(model::to_off(model::make_model(name, size)));
-  return import_solid(to_soup(mesh), name, {});
-}
 
 /// Everything that a build makes, in one string.
 std::string all_of(const Solid& solid, const BuildOptions& options) {
