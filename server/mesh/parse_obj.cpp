@@ -25,6 +25,7 @@ class ObjReader {
       fail_outside(highest_index_line_, std::to_string(highest_index_));
     }
     if (soup_.face_count() + soup_.collapsed.count == 0) cursor_.fail("the file has no faces");
+    soup_.precision = digits_.precision();
     return std::move(soup_);
   }
 
@@ -36,7 +37,9 @@ class ObjReader {
                    " vertices");
     }
     glm::dvec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = cursor_.read_real(vertex);
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = cursor_.read_coordinate(vertex, axis, digits_);
+    }
     soup_.points.push_back(point);
   }
 
@@ -93,6 +96,7 @@ class ObjReader {
 
   TextCursor cursor_;
   PolygonSoup soup_;
+  DigitRecord digits_;
   std::uint32_t highest_index_ = 0;
   std::size_t highest_index_line_ = 0;
 };

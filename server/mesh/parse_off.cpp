@@ -26,6 +26,8 @@ class OffReader {
     soup_.corners.reserve(3 * faces_);
     for (std::uint64_t i = 0; i < vertices_; ++i) read_vertex({"vertex", i});
     for (std::uint64_t i = 0; i < faces_; ++i) read_face({"face", i});
+    // Quotients are not written with any digits.
+    if (!homogeneous_) soup_.precision = digits_.precision();
     return std::move(soup_);
   }
 
@@ -94,7 +96,9 @@ class OffReader {
                    std::to_string(vertices_) + " vertices");
     }
     glm::dvec3 point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = cursor_.read_real(vertex);
+    for (int axis = 0; axis < 3; ++axis) {
+      point[axis] = cursor_.read_coordinate(vertex, axis, digits_);
+    }
     if (homogeneous_) {
       const double w = cursor_.read_real(vertex);
       if (w == 0) cursor_.fail(to_string(vertex) + " is at infinity (its w is 0)");
@@ -156,6 +160,7 @@ class OffReader {
   std::uint64_t faces_ = 0;
   bool homogeneous_ = false;
   PolygonSoup soup_;
+  DigitRecord digits_;
 };
 
 bool take_prefix(std::string_view& text, std::string_view prefix) {

@@ -86,7 +86,8 @@ void read_vertices(Rows& rows, const PlyElement& element, PolygonSoup& soup) {
     glm::dvec3 point;
     for (const PlyProperty& property : element.properties) {
       if (is_coordinate(property)) {
-        point[property.name[0] - 'x'] = rows.real(property.type);
+        const int axis = property.name[0] - 'x';
+        point[axis] = rows.coordinate(axis, property.type);
       } else {
         skip_property(rows, property);
       }
@@ -94,6 +95,7 @@ void read_vertices(Rows& rows, const PlyElement& element, PolygonSoup& soup) {
     rows.end_row();
     soup.points.push_back(point);
   }
+  soup.precision = rows.precision();
 }
 
 template <class Rows>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "common/base/errors.hpp"
@@ -45,6 +46,7 @@ class TextStlReader {
       if (!equals_ignoring_case(word, "endsolid")) fail_expected("facet or endsolid", word);
     }
     if (facet_number() == 0) cursor_.fail("the file has no facets");
+    soup_.precision = digits_.precision();
     return std::move(soup_);
   }
 
@@ -72,7 +74,9 @@ class TextStlReader {
     for (int corner = 0; corner < 3; ++corner) {
       expect("vertex");
       glm::dvec3 point;
-      for (int axis = 0; axis < 3; ++axis) point[axis] = cursor_.read_real(facet);
+      for (int axis = 0; axis < 3; ++axis) {
+        point[axis] = cursor_.read_coordinate(facet, axis, digits_);
+      }
       soup_.corners.push_back(table_.find_or_add(point));
     }
     const std::string_view word = cursor_.next_word_of_any_line();
@@ -91,6 +95,7 @@ class TextStlReader {
 
   TextCursor cursor_;
   PolygonSoup soup_;
+  DigitRecord digits_;
   PointTable table_;
 };
 
@@ -109,6 +114,7 @@ PolygonSoup parse_binary_stl(std::string_view bytes, std::string_view name) {
   const std::uint64_t facets = claimed_facets(bytes);
   if (facets == 0) throw BadInput(std::string(name) + ": the file has no facets");
   PolygonSoup soup;
+  soup.precision.binary_digits = std::numeric_limits<float>::digits;
   PointTable table(soup.points);
   soup.corners.reserve(3 * facets);
   soup.first_corner.reserve(facets + 1);

@@ -40,12 +40,20 @@ std::size_t PlyBinaryRows::take(std::size_t bytes) {
   return offset_ - bytes;
 }
 
-double PlyBinaryRows::real(PlyScalar type) {
-  if (is_integer(type)) return static_cast<double>(integer(type));
+double PlyBinaryRows::coordinate(int, PlyScalar type) {
+  if (is_integer(type)) {
+    bits_.add_whole();
+    return static_cast<double>(integer(type));
+  }
   const std::size_t at = take(byte_size(type));
   const double value = type == PlyScalar::Float32 ? double{stored_number<float>(bytes_, at, order_)}
                                                   : stored_number<double>(bytes_, at, order_);
   if (!std::isfinite(value)) fail("has a coordinate that is not a finite number");
+  if (type == PlyScalar::Float32) {
+    bits_.add_single();
+  } else {
+    bits_.add_double(value);
+  }
   return value;
 }
 

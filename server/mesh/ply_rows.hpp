@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "server/mesh/ply_header.hpp"
+#include "server/mesh/precision.hpp"
 #include "server/mesh/stored_number.hpp"
 #include "server/mesh/text_cursor.hpp"
 
@@ -20,7 +21,7 @@ class PlyTextRows {
                 {.comment = '\0', .first_line = header.body_line}) {}
 
   void begin_row(Item row);
-  double real(PlyScalar) { return cursor_.read_real(row_); }
+  double coordinate(int axis, PlyScalar) { return cursor_.read_coordinate(row_, axis, digits_); }
   std::int64_t integer(PlyScalar) { return cursor_.read_integer(row_); }
   void skip(PlyScalar type, std::uint64_t values);
   void end_row();
@@ -28,11 +29,15 @@ class PlyTextRows {
   /// Throws unless nothing follows the last row.
   void end();
 
+  /// Of the coordinates so far.
+  Precision precision() const { return digits_.precision(); }
+
   /// Throws BadInput with the place of the row being read: "vertex 7 what".
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
   TextCursor cursor_;
+  DigitRecord digits_;
   Item row_{"row", 0};
 };
 
@@ -47,11 +52,12 @@ class PlyBinaryRows {
         offset_(header.body_offset) {}
 
   void begin_row(Item row) { row_ = row; }
-  double real(PlyScalar type);
+  double coordinate(int axis, PlyScalar type);
   std::int64_t integer(PlyScalar type);
   void skip(PlyScalar type, std::uint64_t values);
   void end_row() {}
   void end();
+  Precision precision() const { return bits_.precision(); }
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
@@ -62,6 +68,7 @@ class PlyBinaryRows {
   std::string_view bytes_;
   std::string_view name_;
   ByteOrder order_;
+  BitRecord bits_;
   std::size_t offset_;
   Item row_{"row", 0};
 };

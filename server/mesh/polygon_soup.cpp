@@ -93,6 +93,7 @@ bool drop_collapsed_faces(PolygonSoup& soup) {
     }
   }
   kept.points = std::move(soup.points);
+  kept.precision = soup.precision;
   soup = std::move(kept);
   return true;
 }

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "server/mesh/precision.hpp"
+
 namespace spoctree {
 
 /// Faces that have shrunk to a line or a point, because their corners are equal. They are left out
@@ -27,6 +29,7 @@ struct PolygonSoup {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> first_corner{0};  ///< face_count() + 1 entries
   CollapsedFaces collapsed;                    ///< not among the faces above
+  Precision precision;                         ///< of the numbers in the file
 
   std::size_t face_count() const { return first_corner.size() - 1; }
 

@@ -93,12 +93,20 @@ std::string_view TextCursor::next_word_of_any_line() {
   return next_word();
 }
 
-double TextCursor::read_real(Item item) {
-  const std::string_view word = next_word();
+double TextCursor::to_real(std::string_view word, Item item) const {
   if (word.empty()) fail(to_string(item) + ": the line ends where a number should stand");
   const ParsedReal parsed = parse_real(word);
   if (parsed.fault != nullptr) fail(to_string(item) + ": " + quoted(word) + " " + parsed.fault);
   return parsed.value;
+}
+
+double TextCursor::read_real(Item item) { return to_real(next_word(), item); }
+
+double TextCursor::read_coordinate(Item item, int axis, DigitRecord& record) {
+  const std::string_view word = next_word();
+  const double value = to_real(word, item);
+  record.add(axis, word, value);
+  return value;
 }
 
 std::int64_t TextCursor::read_integer(Item item) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "server/mesh/precision.hpp"
+
 namespace spoctree {
 
 /// What a number belongs to, for error messages: {"face", 10} prints as "face 10".
@@ -50,6 +52,9 @@ class TextCursor {
   /// The next word of this line as a finite number, or an error that names `item`.
   double read_real(Item item);
 
+  /// The same for a coordinate along `axis`; how it is written goes to `record`.
+  double read_coordinate(Item item, int axis, DigitRecord& record);
+
   /// The next word of this line as a whole number, or an error that names `item`.
   std::int64_t read_integer(Item item);
 
@@ -68,6 +73,7 @@ class TextCursor {
 
   void skip_blanks();
   bool skip_joined_line_end();
+  double to_real(std::string_view word, Item item) const;
 
   std::string_view bytes_;
   std::string_view name_;
