@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -15,12 +16,18 @@ namespace spoctree {
 /// that the boundary of the solid passes exactly through it.
 enum class CornerState : std::uint8_t { Outside, Inside, Boundary, Unknown };
 
+inline constexpr std::uint32_t kManyPlanes = std::numeric_limits<std::uint32_t>::max();
+
 /// A closed cell with the solid's boundary in it.
 struct Cell {
   std::uint32_t depth = 0;
   std::uint32_t lower[3] = {0, 0, 0};  ///< wall indices, as in NodeAddress
   FragmentList boundary;
   std::array<CornerState, 8> corners{};  ///< in octant order
+  /// Planes that no ancestor has taken: of this cell, once it was classified; of its parent and of
+  /// that one's parent, or kManyPlanes where there is none.
+  std::uint32_t remaining_planes = 0;
+  std::array<std::uint32_t, 2> planes_above{kManyPlanes, kManyPlanes};
 
   std::uint32_t size() const { return std::uint32_t{1} << (kMaxDepth - static_cast<int>(depth)); }
   double wall(const Solid& solid, int axis, bool upper) const {

@@ -42,7 +42,11 @@ void SpClassifier::classify(Cell& cell, Decision& decision) {
   };
   if (is_convex()) return take(NodeKind::Convex);
   if (is_concave()) return take(NodeKind::Concave);
-  const bool by_rule = planes_.size() <= rules_.leaf_planes || shares_a_vertex();
+  cell.remaining_planes = static_cast<std::uint32_t>(planes_.size());
+  const bool is_unseparated = cell.remaining_planes >= cell.planes_above[1];
+  const bool by_rule = cell.remaining_planes <= rules_.leaf_planes_at(cell.depth) ||
+                       (is_unseparated && cell.remaining_planes <= rules_.unseparated_planes()) ||
+                       shares_a_vertex();
   if (by_rule || cell.depth >= rules_.max_depth) {
     const Expression& expression = expressions_.build(cell.boundary, remaining_);
     decision.kind = NodeKind::Vertex;

@@ -114,6 +114,7 @@ void SubtreeBuilder::split(const Cell& parent, std::array<Cell, 8>& children) {
     child.boundary.clear();
     child.corners.fill(CornerState::Unknown);
     child.corners[octant] = parent.corners[octant];
+    child.planes_above = {parent.remaining_planes, parent.planes_above[0]};
     for (unsigned axis = 0; axis < 3; ++axis) {
       child.lower[axis] = parent.lower[axis] + (((octant >> axis) & 1) ? child.size() : 0);
     }

@@ -24,7 +24,7 @@ struct TreeOptions {
 TreeRules to_rules(const TreeOptions& options) {
   if (options.kind == "sp") {
     if (options.partial) throw UsageError("--partial is for --kind classical");
-    return SpRules{options.leaf_planes.value_or(0),
+    return SpRules{options.leaf_planes,
                    options.max_depth.value_or(static_cast<std::uint32_t>(kMaxDepth))};
   }
   if (options.leaf_planes) throw UsageError("--leaf-planes is for --kind sp");
@@ -51,7 +51,8 @@ void add_tree_options(CLI::App& command, TreeRules& rules) {
   command
       .add_option("--leaf-planes", options->leaf_planes,
                   "sp: cells with at most so many planes are leaves: fewer nodes, longer "
-                  "expressions (0 unless given)")
+                  "expressions; 0: the paper's rule alone (16 unless given, and more in small "
+                  "cells)")
       ->check(CLI::Range(0, 1000));
   command
       .add_option("--partial", options->partial,
@@ -71,7 +72,7 @@ std::string describe_rules(const TreeRules& rules) {
   }
   const SpRules& sp = std::get<SpRules>(rules);
   return "max-depth=" + std::to_string(sp.max_depth) +
-         " leaf-planes=" + std::to_string(sp.leaf_planes);
+         (sp.leaf_planes ? " leaf-planes=" + std::to_string(*sp.leaf_planes) : std::string());
 }
 
 }  // namespace spoctree

@@ -16,7 +16,7 @@
 namespace spoctree {
 namespace {
 
-BuiltOctree build(const Solid& solid, const SpRules& rules = {}) {
+BuiltOctree build(const Solid& solid, const SpRules& rules = kPaperRules) {
   const SolidQueries queries(solid);
   BuildOptions options;
   options.rules = rules;
@@ -32,7 +32,7 @@ BuiltOctree build(const Solid& solid, const SpRules& rules = {}) {
 
 /// The rules under which every solid is tried.
 std::vector<SpRules> all_rules() {
-  return {{0, kMaxDepth}, {6, kMaxDepth}, {0, 0}, {0, 1}, {0, 2}};
+  return {{}, kPaperRules, {6, kMaxDepth}, {0, 0}, {0, 1}, {0, 2}};
 }
 
 /// Every level of the tree against what is so at a point: In, Out, or (exactly) On. Before the last

@@ -251,7 +251,9 @@ TEST(Certify, KnowsTheErrorOfAHoleByThinking) {
                                      return !in_hole && z < 3;
                                    }});
   const SolidQueries queries(solid);
-  BuiltOctree built = build_octree(solid, queries, {});
+  BuildOptions options;
+  options.rules = kPaperRules;  // or the root is a leaf
+  BuiltOctree built = build_octree(solid, queries, options);
   certify(built, solid, queries);
   const LevelStatement& level0 = built.tree.levels[0].statement;
   EXPECT_EQ(level0.inner_volume, 0);

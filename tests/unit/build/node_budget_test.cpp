@@ -23,6 +23,13 @@ Solid plate_between_boxes(double gap) {
   return import_solid(soup, "plate", {.flat_tolerance = 0});
 }
 
+/// By the default rule it would be small.
+BuildOptions paper_options() {
+  BuildOptions options;
+  options.rules = kPaperRules;
+  return options;
+}
+
 std::size_t node_count(const Octree& tree) {
   std::size_t count = 0;
   for (const Level& level : tree.levels) count += level.size();
@@ -33,7 +40,7 @@ TEST(NodeBudget, RefusesATreeThatWouldNotEnd) {
   const Solid solid = plate_between_boxes(1e-6);
   const SolidQueries queries(solid);
   try {
-    build_octree(solid, queries, {});
+    build_octree(solid, queries, paper_options());
     FAIL() << "was built";
   } catch (const BadInput& error) {
     EXPECT_EQ(std::string(error.what())
@@ -47,7 +54,7 @@ TEST(NodeBudget, RefusesATreeThatWouldNotEnd) {
 TEST(NodeBudget, LeavesRoomForThinGaps) {
   const Solid solid = plate_between_boxes(1e-2);
   const SolidQueries queries(solid);
-  EXPECT_GT(node_count(build_octree(solid, queries, {}).tree), 1000u);
+  EXPECT_GT(node_count(build_octree(solid, queries, paper_options()).tree), 1000u);
 }
 
 TEST(NodeBudget, IsEnoughWithALimitOfDepth) {

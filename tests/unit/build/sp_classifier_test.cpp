@@ -12,7 +12,7 @@
 namespace spoctree {
 namespace {
 
-Octree tree_of(const Solid& solid, const SpRules& rules = {}) {
+Octree tree_of(const Solid& solid, const SpRules& rules = kPaperRules) {
   const SolidQueries queries(solid);
   BuildOptions options;
   options.rules = rules;
@@ -158,6 +158,7 @@ TEST(SpClassifier, MaxDepthEndsTheTreeAndCountsTheNodesItEnded) {
   const Solid solid = uneven_solid(6, random);
   const SolidQueries queries(solid);
   BuildOptions options;
+  options.rules = kPaperRules;
   const BuiltOctree whole = build_octree(solid, queries, options);
   EXPECT_EQ(whole.depth_limited_nodes, 0u);
   for (std::uint32_t depth = 0; depth + 1 < whole.tree.levels.size(); ++depth) {
