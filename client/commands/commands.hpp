@@ -50,7 +50,7 @@ struct DrawArguments {
   std::string format;  ///< see draw_formats.hpp; empty: as the output's extension says, or else svg
   ViewOptions view;
   PageOptions page;
-  double crease_angle_deg = 0;
+  std::optional<double> crease_angle_deg;  ///< left out: kDraughtsmanCreaseAngleDeg
   bool with_creases = true;
   bool with_silhouettes = true;
   bool with_steps = true;

@@ -26,6 +26,10 @@ Rectangle with_border(const Rectangle& frame) {
   return {frame.lower - border, frame.upper + border};
 }
 
+double least_angle_of(const DrawArguments& arguments) {
+  return arguments.crease_angle_deg.value_or(kDraughtsmanCreaseAngleDeg);
+}
+
 /// What is kept from level to level.
 struct Drawn {
   SurfaceRebuilder rebuilder;
@@ -147,7 +151,7 @@ LevelPictures draw_level(LevelStream& stream, Drawn& drawn, const std::vector<Vi
   const Elapsed elapsed;
   parallel_for(views.size(), [&](std::size_t k) {
     LineOptions options;
-    options.crease_angle_deg = arguments.crease_angle_deg;
+    options.crease_angle_deg = least_angle_of(arguments);
     options.with_hidden_lines = arguments.with_hidden_lines;
     options.split_by_source = arguments.colour_by_kind;
     options.frame = with_border(views[k].frame);
@@ -189,7 +193,8 @@ void draw_levels(const DrawArguments& arguments, DrawingFiles& files, DrawingPag
   if (!arguments.all_levels && !page.is_wanted()) last = draw();
   if (!arguments.all_levels) files.add(last);
   stream.progress_line().clear();
-  for (const std::string& warning : warnings_of(last, stream.tree()))
+  const bool leaves_creases_out = arguments.with_creases && least_angle_of(arguments) > 0;
+  for (const std::string& warning : warnings_of(last, stream.tree(), leaves_creases_out))
     std::fprintf(stderr, "spoctree-client: %s\n", warning.c_str());
 }
 

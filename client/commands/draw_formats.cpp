@@ -96,9 +96,10 @@ void check(const DrawArguments& arguments) {
     throw UsageError("--format is for -o; what --html writes is always HTML");
   check(arguments.view);
   const DrawFormat format = choose_format(arguments);
-  if (!(arguments.crease_angle_deg >= 0 && arguments.crease_angle_deg <= 180))
+  const double angle = arguments.crease_angle_deg.value_or(0);
+  if (!(angle >= 0 && angle <= 180))
     throw UsageError("--crease-angle must be between 0 and 180 degrees");
-  if (arguments.crease_angle_deg > 0 && !arguments.with_creases && !arguments.with_steps)
+  if (angle > 0 && !arguments.with_creases)
     throw UsageError("--crease-angle chooses creases, of which --lines wants none");
   if (arguments.colour_by_kind && arguments.view.stereo == ViewOptions::Stereo::Anaglyph)
     throw UsageError("--stereo=anaglyph needs the colours that --colour-by kind would use");

@@ -115,7 +115,8 @@ DrawOptions::DrawOptions(CLI::App& command, StreamOptions& stream)
       ->group(lines);
   command
       .add_option("--crease-angle", texts.crease_angle,
-                  "DEGREES: leave out inner edges at which the faces turn by less")
+                  "DEGREES: leave out edges at which the faces turn by less, but for silhouettes "
+                  "and steps; 0: every edge, facets too; left out: 20")
       ->group(lines);
   command.add_option("--hidden", texts.hidden, "none, or dashed: lines behind material")
       ->check(CLI::IsMember({"none", "dashed"}))

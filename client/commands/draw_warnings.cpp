@@ -13,7 +13,8 @@ bool shows_nothing(const Picture& picture) {
                      [](const VisibleLine& line) { return line.hidden; });
 }
 
-std::string reason_of(const View& view, const Octree& tree, std::uint32_t level) {
+std::string reason_of(const View& view, const Octree& tree, std::uint32_t level,
+                      bool leaves_creases_out) {
   const PointClass place = view.camera.is_perspective()
                                ? classify_point(tree, view.camera.eye(), level)
                                : PointClass::Out;
@@ -24,12 +25,14 @@ std::string reason_of(const View& view, const Octree& tree, std::uint32_t level)
            " is not clear yet and may be full, so that nothing is to be seen: choose a later "
            "--level or another --eye";
   const std::string where = view.name.empty() ? "the picture" : "the view '" + view.name + "'";
-  return where + " is empty: no line that is wanted is in it";
+  return where + " is empty: no line that is wanted is in it" +
+         (leaves_creases_out ? "; --crease-angle 0 draws every edge" : "");
 }
 
 }  // namespace
 
-std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree) {
+std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& tree,
+                                     bool leaves_creases_out) {
   std::vector<std::string> warnings;
   const auto warn = [&](const std::string& text) {
     std::string warning = level.model + ": " + text;
@@ -39,7 +42,7 @@ std::vector<std::string> warnings_of(const LevelPictures& level, const Octree& t
   for (const Picture& picture : level.pictures) {
     const Camera& camera = picture.view.camera;
     if (shows_nothing(picture)) {
-      warn(reason_of(picture.view, tree, level.level));
+      warn(reason_of(picture.view, tree, level.level, leaves_creases_out));
     } else if (camera.is_perspective() &&
                classify_point(tree, camera.eye(), level.level) == PointClass::On) {
       warn(

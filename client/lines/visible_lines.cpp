@@ -180,8 +180,8 @@ VisibleLines visible_lines(const LineScene& scene, const Camera& camera,
     const bool silhouette = is_silhouette(crease, creases, planes, camera);
     kinds[k] = silhouette ? LineKind::Silhouette : LineKind::Crease;
     if (!is_asked_for(scene, crease, kinds[k], options)) continue;
-    if (!silhouette && options.crease_angle_deg > 0 &&
-        crease_angle_deg(crease, creases, planes) < options.crease_angle_deg) {
+    if (!silhouette && options.crease_angle_deg > 0 && !is_step(scene, crease) &&
+        crease_angle_deg(crease, creases, planes) < options.crease_angle_deg - kTurnTolerance) {
       continue;
     }
     wanted.push_back(k);

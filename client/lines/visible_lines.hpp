@@ -25,11 +25,16 @@ using SeenPartsFinder =
     std::function<std::vector<CreasePart>(const std::vector<bool>& is_wanted, const Camera& camera,
                                           const Rectangle& frame, const ProgressShare& progress)>;
 
+/// A drawing is what a draughtsman would draw if creases of less are left out: the facets of what
+/// is round turn by less, as a rule (a bore of 24: 15 degrees), what was made an edge by more.
+inline constexpr double kDraughtsmanCreaseAngleDeg = 20;
+
 struct LineOptions {
   /// T_level is drawn, where there is no LineScene that says which; levels beyond the tree mean its
   /// last level.
   std::uint32_t level = static_cast<std::uint32_t>(-1);
-  /// Creases whose faces' normals differ by less than this are drawn as silhouettes only.
+  /// Creases whose faces' normals differ by less than this (and kTurnTolerance) are drawn as
+  /// silhouettes only. Steps are always drawn.
   double crease_angle_deg = 0;
   /// Which lines are wanted at all; a step is neither of the others here.
   bool with_silhouettes = true;

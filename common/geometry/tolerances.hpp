@@ -22,8 +22,8 @@ inline constexpr double kMeetingTolerance = 1e-12;
 /// point, they are one vertex (nearly parallel planes spread a vertex wider than kWeldTolerance).
 inline constexpr double kShortEdge = 1e-6;
 
-/// In the picture, a piece of material covers what is nearer to it than this: pieces that meet do so
-/// up to rounding (2^-45) only. Small, for a line that is not hidden may pass as near.
+/// In the picture, a piece of material covers what is nearer to it than this: pieces that meet do
+/// so up to rounding (2^-45) only. Small, for a line that is not hidden may pass as near.
 inline constexpr double kPictureTolerance = 1e-13;
 
 /// A mask through which a cell is seen ends the avenue of sight where it is nowhere wider than this
@@ -38,6 +38,20 @@ inline constexpr double kMaskTolerance = 1e-11;
 /// sees what lies in the plane edge-on.
 inline constexpr double kEyeInPlane = 1e-12;
 
+/// In units of the rounding of model coordinates (coordinate_rounding), which is 2^-52 of the
+/// universe where the model lies around the origin: a ray is answered as the ray so far beside it
+/// is. More than rounding, of planes too, makes of edges that meet; less than models can tell.
+inline constexpr double kRayAside = 0x1p12;
+
+/// In the same units, times 1 and the origin's largest coordinate: a ray that starts so near to a
+/// plane, and goes no farther off with each step, lies in it, unless the plane is across an axis
+/// and so not rounded. Planes through small faces tilt by rounding over their size.
+inline constexpr double kRayInPlane = 0x1p6;
+
+/// In the same units: a cube so near to a plane asks for its side. More than rays can be off by the
+/// two above within the universe cube, from two diagonals off.
+inline constexpr double kNearPlane = 0x1p14;
+
 /// A crease touches what it is nearer to than this: rebuilt vertices stand off the exact ones by up
 /// to kWeldTolerance.
 inline constexpr double kCreaseTolerance = 3e-10;
@@ -45,6 +59,10 @@ inline constexpr double kCreaseTolerance = 3e-10;
 /// Faces whose normals differ by less than this (sine) meet in no line of a drawing: planes that
 /// were one before they were rounded.
 inline constexpr double kFlatCrease = 1e-10;
+
+/// Degrees: faces that turn by a given angle up to this do turn by it. All edges of a regular prism
+/// of 18 sides are drawn where the angle is 20 degrees, also in single precision, or none is.
+inline constexpr double kTurnTolerance = 1e-3;
 
 /// Lines of a drawing that lie within this of each other in the picture are drawn once: what is
 /// symmetric in single precision, and corners that merging has moved, lie as far apart.

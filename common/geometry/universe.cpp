@@ -61,6 +61,12 @@ Universe universe_around(Vec3 lower, Vec3 upper) {
   return universe;
 }
 
+double coordinate_rounding(const Universe& universe) {
+  const Vec3 c = universe.center;
+  const double farthest = std::max({std::abs(c.x), std::abs(c.y), std::abs(c.z)});
+  return std::clamp(0x1p-52 * std::ldexp(farthest, -universe.scale_exponent), 0x1p-52, 0x1p-43);
+}
+
 bool is_valid(const Universe& universe) {
   const double scaled = std::ldexp(universe.half_side, kHalfSideBits);
   return std::isfinite(universe.center.x) && std::isfinite(universe.center.y) &&

@@ -56,6 +56,11 @@ struct Universe {
 /// REQUIRES: finite, lower <= upper.
 Universe universe_around(Vec3 lower, Vec3 upper);
 
+/// How much model coordinates in the cube are rounded, in universe units: 2^-52 for cubes around
+/// the origin, more for those far from it, which doubles cannot tell apart any finer; 2^-43 at
+/// most.
+double coordinate_rounding(const Universe& universe);
+
 /// True for the values that `Universe` promises; decoders ask before they trust one.
 bool is_valid(const Universe& universe);
 

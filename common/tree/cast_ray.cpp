@@ -54,7 +54,7 @@ struct NearestPlane {
 }  // namespace
 
 RayAnswer QueryIndex::first_hit(const Ray& ray) const {
-  RayWalk walk(*tree_, graph_, ray);
+  RayWalk walk(*tree_, graph_, rounding_, ray);
   const RayWalk::Span span = walk.in_universe();
   if (!(span.from < span.to)) return {};
   FirstCrossing met;
@@ -66,12 +66,14 @@ RayAnswer QueryIndex::first_hit(const Ray& ray) const {
   const FirstCrossing::Start certain = in.time > out.time ? in : out;
   if (unknown.time < kInfinity) {
     RayAnswer answer{RayAnswer::Kind::Between, 0, kInfinity};
-    const double first = unknown.time - walk.error_of(unknown.cause);
+    const double first =
+        walk.unmoved_time(unknown.time, unknown.cause) - walk.error_of(unknown.cause);
     // A ray that starts where nothing is known may cross the boundary at once.
     const bool starts_unknown = unknown.time <= std::min(in.time, out.time);
     if (!starts_unknown && first > 0) answer.first = walk.to_units_given(first);
     if (in.time < kInfinity) {
-      answer.last = walk.to_units_given(certain.time + walk.error_of(certain.cause));
+      answer.last = walk.to_units_given(walk.unmoved_time(certain.time, certain.cause) +
+                                        walk.error_of(certain.cause));
     }
     return answer;
   }
@@ -93,7 +95,7 @@ RayAnswer QueryIndex::first_hit(const Ray& ray) const {
   }
   const bool enters = in.time > out.time;
   if ((glm::dot(normal, walk.direction()) > 0) == enters) normal = -normal;
-  const double time = walk.to_units_given(certain.time);
+  const double time = walk.to_units_given(walk.unmoved_time(certain.time, cause));
   return {RayAnswer::Kind::Hit, time, time, normal + 0.0};  // + 0.0: no negative zeros
 }
 

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <stdexcept>
 
-#include "common/geometry/predicates.hpp"
+#include "common/geometry/tolerances.hpp"
 #include "common/tree/expression.hpp"
 
 namespace spoctree {
@@ -33,17 +33,14 @@ Cube make_cube(const std::uint32_t (&lower)[3], std::uint32_t size, double half_
   return cube;
 }
 
-/// Rays ask in doubles, and stray from a cube by their rounding: what is so near counts as touched.
-constexpr double kNear = 8 * kSideError;
-
 enum class Reach { Inside, Outside, Crosses };
 
 /// Where a cube lies with respect to a plane; `Crosses` also where it comes near to it.
-Reach reach_of(const Cube& cube, const Plane& plane) {
+Reach reach_of(const Cube& cube, const Plane& plane, double near) {
   const double value = glm::dot(plane.normal, cube.centre) - plane.offset;
   const Vec3 n = plane.normal;
   // Rays ask in doubles, and stray from a cube by their rounding: stay clear of that too.
-  const double reach = cube.half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) + 8 * kSideError;
+  const double reach = cube.half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z)) + near;
   if (value > reach) return Reach::Outside;
   if (value < -reach) return Reach::Inside;
   return Reach::Crosses;
@@ -53,7 +50,7 @@ Reach reach_of(const Cube& cube, const Plane& plane) {
 /// `other` need not test `plane`. For every factor f >= 0, plane - f other <= plane wherever the
 /// point is inside `other`; the left side is linear, and its largest value in the cube is smallest
 /// for one of the factors for which a component of its normal vanishes.
-bool is_implied(const Cube& cube, const Plane& plane, const Plane& other) {
+bool is_implied(const Cube& cube, const Plane& plane, const Plane& other, double near) {
   const double value = glm::dot(plane.normal, cube.centre) - plane.offset;
   const double other_value = glm::dot(other.normal, cube.centre) - other.offset;
   for (int axis = 0; axis < 3; ++axis) {
@@ -62,7 +59,7 @@ bool is_implied(const Cube& cube, const Plane& plane, const Plane& other) {
     const Vec3 n = plane.normal - factor * other.normal;
     const double highest =
         value - factor * other_value + cube.half * (std::abs(n.x) + std::abs(n.y) + std::abs(n.z));
-    if (highest < -kNear * (1 + factor)) return true;
+    if (highest < -near * (1 + factor)) return true;
   }
   return false;
 }
@@ -72,6 +69,7 @@ class GraphMaker {
   GraphMaker(const Octree& tree, std::uint32_t level)
       : tree_(tree),
         last_level_(std::min<std::size_t>(level, tree.levels.size() - 1)),
+        near_(kNearPlane * coordinate_rounding(tree.universe)),
         lists_(last_level_ + 2) {}
 
   DecisionGraph make() {
@@ -116,7 +114,7 @@ class GraphMaker {
   /// Adds those of `planes` that cross the cube. False if the cube is outside one of them.
   bool clip(const Cube& cube, std::span<const std::uint32_t> planes, Planes& crossing) const {
     for (const std::uint32_t index : planes) {
-      const Reach reach = reach_of(cube, plane(index));
+      const Reach reach = reach_of(cube, plane(index), near_);
       if (reach == Reach::Outside) return false;
       if (reach == Reach::Crosses) crossing.push_back(index);
     }
@@ -130,7 +128,7 @@ class GraphMaker {
       const Plane& asked = plane(crossing[i]);
       const bool is_dropped =
           std::any_of(crossing.begin(), crossing.end(), [&](std::uint32_t other) {
-            return other != crossing[i] && is_implied(cube, asked, plane(other));
+            return other != crossing[i] && is_implied(cube, asked, plane(other), near_);
           });
       if (is_dropped) crossing.erase(crossing.begin() + static_cast<std::ptrdiff_t>(i));
     }
@@ -234,7 +232,7 @@ class GraphMaker {
         continue;
       }
       const std::uint32_t index = planes[token - kFirstPlaneToken];
-      const Reach reach = place == kNowhere ? Reach::Inside : reach_of(cube, plane(index));
+      const Reach reach = place == kNowhere ? Reach::Inside : reach_of(cube, plane(index), near_);
       if (reach == Reach::Crosses) {
         fill(place, add_test(index));
         const std::uint64_t test = graph_.tests.size() - 1;
@@ -250,6 +248,7 @@ class GraphMaker {
 
   const Octree& tree_;
   const std::size_t last_level_;
+  const double near_;  ///< cubes so near to a plane ask for its side
   std::vector<std::vector<std::uint64_t>> weights_;
   std::vector<Planes> lists_;  ///< per depth
   std::vector<std::uint64_t> open_;

@@ -18,6 +18,7 @@ std::uint32_t octant_of(std::uint32_t x, std::uint32_t y, std::uint32_t z, std::
 QueryIndex::QueryIndex(const Octree& tree, std::uint32_t level)
     : tree_(&tree),
       level_(std::min(level, static_cast<std::uint32_t>(tree.levels.size() - 1))),
+      rounding_(coordinate_rounding(tree.universe)),
       graph_(make_decision_graph(tree, level_)) {
   while ((std::size_t{8} << (3 * entry_depth_)) <= graph_.cells.size()) ++entry_depth_;
   const std::uint32_t side = 1u << entry_depth_;

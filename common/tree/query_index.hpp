@@ -49,9 +49,13 @@ class QueryIndex {
   /// Every crossing of the ray with a plane or wall is computed by a function of that plane or wall
   /// alone, so cells agree on it to the bit, and no ray slips through between two cells. `first` of
   /// a hit is off such that the point lies within kRayError of the face's plane. `first` and `last`
-  /// of Between are moved apart by as much, so that they are true bounds. Kinds are right for every
-  /// ray that passes all edges of the solid at more than about kRayError, and is not within it of
-  /// lying in a face: others may be taken for one that passes beside the edge or the face.
+  /// of Between are moved apart by as much, so that they are true bounds.
+  ///
+  /// A ray that lies in faces, edges or walls, or passes through edges or vertices, is answered as
+  /// a ray beside it is: one and the same at every cell and level, upwards along all axes as a
+  /// rule. So are rays that pass those within kRayAside, and those within kRayInPlane of lying in a
+  /// face that is not across an axis (both in units of coordinate_rounding: about 2^-40 and 2^-46
+  /// for models around the origin). Others are answered as themselves.
   ///
   /// O(cells and planes met), front to back, up to the hit. REQUIRES: finite numbers, a direction
   /// other than 0.
@@ -63,6 +67,7 @@ class QueryIndex {
  private:
   const Octree* tree_;
   std::uint32_t level_;
+  double rounding_;  ///< coordinate_rounding(tree.universe)
   DecisionGraph graph_;
   /// The first steps of every point in one: where the way through the cells of a regular grid leads
   /// to. A power of 8, no more than there are cells.

@@ -1,5 +1,12 @@
 // A ray through a decision graph, front to back, as a sequence of segments of known and unknown
 // material. Every crossing with a plane or a wall is a function of that plane or wall alone.
+//
+// What is walked is the ray moved aside by a little more than rounding can tell, all rays the same
+// way: so in which order planes and walls are crossed, where they meet on the ray, and on which
+// side of the ray they are where it lies in them, is the same in all cells, and that of one ray.
+// (As simulation of simplicity, Edelsbrunner and Muecke, ACM Trans. Graphics 9 (1), 1990, but
+// coarser than the rounding of planes, which hides what meets in the model.) Only where it starts
+// with respect to a plane is decided exactly, by the ray itself.
 #pragma once
 
 #include <algorithm>
@@ -10,6 +17,7 @@
 #include <vector>
 
 #include "common/geometry/predicates.hpp"
+#include "common/geometry/tolerances.hpp"
 #include "common/tree/query_index.hpp"
 
 namespace spoctree {
@@ -17,6 +25,18 @@ namespace spoctree {
 /// With steps of this size or less along the ray, a plane's normal or an axis is at a right angle
 /// to it: within the universe cube the ray does not get away from the plane by kRayError.
 inline constexpr double kParallel = 0x1p-49;
+
+/// Where rays are moved to: upwards along all axes, as a rule. Of many directions tried, that which
+/// is farthest from right angles to normals of small integers (its product with those of up to 9
+/// times the square of their largest component is at least 0.17): faces, and planes of edges and
+/// rays, tend to have such.
+inline constexpr Vec3 kAside{0.22010491587569736, 0.89117769812468128, 0.39668140411739311};
+
+/// True if the normal is that of a wall. Such planes are what the model's faces were, not rounded.
+inline bool is_across_axis(const Plane& plane) {
+  const Vec3 n = plane.normal;
+  return std::abs(n.x) == 1 || std::abs(n.y) == 1 || std::abs(n.z) == 1;
+}
 
 /// What a segment begins at: a plane of the table, or a wall, named by its axis.
 using Cause = std::uint32_t;
@@ -36,19 +56,24 @@ class RayWalk {
     bool starts_inside = true;
   };
 
-  RayWalk(const Octree& tree, const DecisionGraph& graph, const Ray& ray)
+  /// `rounding`: coordinate_rounding(tree.universe).
+  RayWalk(const Octree& tree, const DecisionGraph& graph, double rounding, const Ray& ray)
       : tree_(tree),
         graph_(graph),
         half_side_(tree.universe.half_side),
         origin_(ray.origin),
-        size_(1 + largest_coordinate(ray.origin)) {
+        size_(1 + largest_coordinate(ray.origin)),
+        in_plane_(kRayInPlane * rounding * size_),
+        near_(2 * kRayAside * rounding + in_plane_) {
     std::frexp(largest_coordinate(ray.direction), &exponent_);
     for (int axis = 0; axis < 3; ++axis) {
       const double d = std::ldexp(ray.direction[axis], -exponent_);
       if (std::abs(d) <= kParallel) continue;
       direction_[axis] = d;
       inverse_[axis] = 1 / d;
+      keep_on_side_of_wall(axis, 2 * kRayAside * rounding);
     }
+    moved_origin_ = origin_ + kRayAside * rounding * aside_;
     stack_.reserve(64);
   }
 
@@ -58,23 +83,39 @@ class RayWalk {
 
   Crossing cross_plane(std::uint32_t index) const {
     const Plane& plane = tree_.planes[index];
-    double ahead = plane.offset - glm::dot(plane.normal, origin_);
-    // The sign decides on which side the ray starts: exactly.
-    if (std::abs(ahead) <= kSideError * size_) {
-      const int side = side_of_any_point(plane, origin_);
-      if (side == 0) {
-        ahead = 0;
-      } else if ((ahead < 0) != (side > 0) || ahead == 0) {
-        ahead = -side * kSideError;
-      }
-    }
+    const double ahead = plane.offset - glm::dot(plane.normal, moved_origin_);
     const double slope = glm::dot(plane.normal, direction_);
+    if (std::abs(ahead) <= near_) return cross_near_plane(plane, ahead, slope);
     if (std::abs(slope) <= kParallel) return {0, 0, ahead >= 0};
     return {ahead * (1 / slope), slope, ahead >= 0};
   }
   /// The same number as for a plane that lies in the wall: what is between the two is empty.
   /// REQUIRES: the direction is not at a right angle to the axis.
-  double cross_wall(int axis, double wall) const { return (wall - origin_[axis]) * inverse_[axis]; }
+  double cross_wall(int axis, double wall) const {
+    return (wall - moved_origin_[axis]) * inverse_[axis];
+  }
+
+  /// When the ray itself, not moved aside, makes a crossing found at `time`. Where it runs almost
+  /// along the plane, that may be far from there: then `time` is kept, where the plane is as near.
+  double unmoved_time(double time, Cause cause) const {
+    constexpr double kLeastSlope = 0x1p-10;
+    double ahead;
+    double slope;
+    if ((cause & kWallCause) != 0) {
+      const int axis = static_cast<int>(cause & 3);
+      // The cause does not say which wall.
+      const double at = (moved_origin_[axis] + time * direction_[axis]) / half_side_;
+      const double wall = half_side_ * (std::nearbyint((at + 1) * 0x1p29) * 0x1p-29 - 1);
+      ahead = wall - origin_[axis];
+      slope = direction_[axis];
+    } else {
+      const Plane& plane = tree_.planes[cause];
+      ahead = plane.offset - glm::dot(plane.normal, origin_);
+      slope = glm::dot(plane.normal, direction_);
+    }
+    if (std::abs(slope) < kLeastSlope) return time;
+    return std::max(ahead * (1 / slope), 0.0);
+  }
 
   /// How far the time of a crossing may be off.
   double error_of(Cause cause) const {
@@ -95,7 +136,8 @@ class RayWalk {
     Span span{0, std::numeric_limits<double>::infinity()};
     for (int axis = 0; axis < 3; ++axis) {
       if (direction_[axis] == 0) {
-        if (std::abs(origin_[axis]) > half_side_) span.to = 0;
+        // As in enter_cell: on a wall is above it.
+        if (!(-half_side_ <= origin_[axis] && origin_[axis] < half_side_)) span.to = 0;
         continue;
       }
       const double near_wall = direction_[axis] > 0 ? -half_side_ : half_side_;
@@ -140,6 +182,53 @@ class RayWalk {
     double to;
   };
 
+  /// Turns the step aside so that the ray starts on the same side of a wall; on a wall: beyond it.
+  /// No two walls are as near to each other.
+  void keep_on_side_of_wall(int axis, double near) {
+    // Rounded to the finest walls, which are 2^-29 apart, by an addition.
+    constexpr double kRounding = 0x1.8p23;
+    const double wall = half_side_ * ((origin_[axis] / half_side_ + kRounding) - kRounding);
+    const double ahead = wall - origin_[axis];
+    if (std::abs(ahead) > near) return;
+    if (ahead == 0 ? direction_[axis] < 0 : ahead > 0) aside_[axis] = -aside_[axis];
+  }
+
+  /// The side, -1 or 1, of a plane on which the moved ray is if the ray lies in it. Opposite for
+  /// opposite planes.
+  int side_of_ray_in(const Plane& plane) const {
+    const Vec3& n = plane.normal;
+    const double step = glm::dot(n, aside_);
+    if (step != 0) return step > 0 ? 1 : -1;
+    const double first = n.x != 0 ? n.x : (n.y != 0 ? n.y : n.z);
+    return first > 0 ? 1 : -1;
+  }
+
+  /// `time`, or if the ray itself has that plane behind it, or ahead of it, and the moved one has
+  /// not, `unmoved`.
+  static double with_sign_of(double unmoved, double time) {
+    return (unmoved > 0) == (time > 0) ? time : unmoved;
+  }
+
+  /// cross_plane for rays that start near the plane: in it, or on a side that is decided exactly.
+  [[gnu::cold]] Crossing cross_near_plane(const Plane& plane, double moved_ahead,
+                                          double slope) const {
+    double ahead = plane.offset - glm::dot(plane.normal, origin_);
+    if (std::abs(ahead) <= in_plane_ && std::abs(slope) <= in_plane_ && !is_across_axis(plane)) {
+      return {0, 0, side_of_ray_in(plane) < 0};
+    }
+    if (std::abs(ahead) <= kSideError * size_) {
+      const int side = side_of_any_point(plane, origin_);
+      if (side == 0 && slope == 0) return {0, 0, side_of_ray_in(plane) < 0};
+      if (side == 0) {
+        ahead = 0;
+      } else if ((ahead < 0) != (side > 0) || ahead == 0) {
+        ahead = -side * kSideError;
+      }
+    }
+    if (std::abs(slope) <= kParallel) return {0, 0, ahead >= 0};
+    return {with_sign_of(ahead * (1 / slope), moved_ahead * (1 / slope)), slope, ahead >= 0};
+  }
+
   template <class Sink>
   void pass_test(Part& part, Sink& sink) {
     const PlaneTest& test = graph_.test(part.step);
@@ -180,7 +269,7 @@ class RayWalk {
     for (std::uint32_t axis = 0; axis < 3; ++axis) {
       const int a = static_cast<int>(axis);
       const double middle = wall_coordinate(half_side_, part.lower[axis] + part.size);
-      bool is_upper = origin_[a] >= middle;
+      bool is_upper = origin_[a] >= middle;  // in the wall: aside_ is upwards
       if (direction_[a] != 0) {
         const double time = cross_wall(a, middle);
         is_upper = (direction_[a] > 0) == (time <= part.from);
@@ -221,7 +310,11 @@ class RayWalk {
   const DecisionGraph& graph_;
   const double half_side_;
   const Vec3 origin_;
+  Vec3 aside_ = kAside;
+  Vec3 moved_origin_{0.0};
   const double size_;
+  const double in_plane_;
+  const double near_;  ///< planes so near to the moved origin may be on another side of the ray's
   Vec3 direction_{0.0};
   Vec3 inverse_{0.0};
   int exponent_ = 0;

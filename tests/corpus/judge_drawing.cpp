@@ -102,6 +102,8 @@ int main(int argc, char** argv) {
   app.add_option("--up", options.up, "X,Y,Z");
   app.add_option("--half-angle", options.half_angle_deg, "Degrees off the axis that are judged");
   app.add_option("--tolerance", options.judge.tolerance, "Of the diagonal");
+  app.add_option("--crease-angle", options.judge.edges.crease_angle_deg,
+                 "Degrees: where the surface turns by less, outlines alone are edges");
   app.add_option("--flat", options.judge.edges.flat, "Faces bent by less have no edge (diagonals)");
   app.add_option("--bent", options.judge.edges.bent, "Faces bent by more have one (diagonals)");
   app.add_option("--faults", options.judge.faults_told, "How many of each kind are described");

@@ -305,6 +305,31 @@ TEST_F(Client, DrawsSheetsPairsAndPerspectives) {
             std::string::npos);
 }
 
+// Of a cylinder with N sides, N / 2 are seen, in general: the creases are the rim above them, and
+// the N / 2 - 1 edges between them, at which the surface turns by 360 / N degrees.
+TEST_F(Client, LeavesOutFacetsUnlessTheyTurnByTwentyDegreesOrTheAngleIsGiven) {
+  const auto expect_lines = [&](int sides, const Arguments& options, std::size_t creases) {
+    SCOPED_TRACE(sides);
+    Arguments arguments = {"draw",     put("round.spo", spo_of("cylinder", sides)),
+                           "--from",   "0.55,-0.71,0.44",
+                           "-o",       "-",
+                           "--format", "json"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = run_client(arguments);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(count(outcome.out, "\"kind\":\"crease\""), creases);
+    // Half of each rim, and an edge on either side.
+    EXPECT_EQ(count(outcome.out, "\"kind\":\"silhouette\""), static_cast<unsigned>(sides) + 2);
+  };
+  expect_lines(24, {}, 12);
+  expect_lines(24, {"--crease-angle", "0"}, 23);
+  expect_lines(24, {"--crease-angle", "15"}, 23);
+  expect_lines(24, {"--method", "cells"}, 12);
+  expect_lines(18, {}, 17);  // 20 degrees
+  expect_lines(12, {}, 11);
+  expect_lines(12, {"--crease-angle", "31"}, 6);
+}
+
 TEST_F(Client, SaysWhyAPictureIsEmpty) {
   const std::string spo = piece();
   const auto complaint_of = [&](const Arguments& options) {

@@ -41,13 +41,14 @@ const std::vector<TriedView> kViews = {
     {"eye in front", {}, {0, -4, 0}, {0, 0, 0}},
 };
 
-std::vector<DrawnLine> drawn_lines(const LineScene& scene, const TriedView& tried,
-                                   bool with_hidden) {
+std::vector<DrawnLine> drawn_lines(const LineScene& scene, const TriedView& tried, bool with_hidden,
+                                   double crease_angle_deg) {
   const bool is_perspective = tried.toward_viewer == Vec3(0.0);
   const Camera camera =
       is_perspective ? Camera::perspective(tried.eye, tried.target) : Camera(tried.toward_viewer);
   LineOptions options;
   options.with_hidden_lines = with_hidden;
+  options.crease_angle_deg = crease_angle_deg;
   std::vector<DrawnLine> result;
   const Universe& universe = scene.tree().universe;
   for (const VisibleLine& line : visible_lines(scene, camera, options)) {
@@ -63,14 +64,18 @@ JudgeView judge_view(const TriedView& tried, const Universe& universe) {
 
 /// The length seen, in diagonals.
 double expect_right(const std::string& name, const Octree& tree, std::uint32_t level,
-                    const PlainMesh& mesh, const std::vector<TriedView>& views) {
+                    const PlainMesh& mesh, const std::vector<TriedView>& views,
+                    double crease_angle_deg = 0) {
   const LineScene scene(tree, rebuild_surface(tree, level), level);
   double seen = 0;
   for (const TriedView& tried : views) {
     SCOPED_TRACE(name + ", level " + std::to_string(level) + ", " + tried.name);
     const bool with_hidden = tried.name == std::string("general");
-    const auto found = judge_drawing(mesh, judge_view(tried, tree.universe),
-                                     drawn_lines(scene, tried, with_hidden));
+    JudgeOptions options;
+    options.edges.crease_angle_deg = crease_angle_deg;
+    const auto found =
+        judge_drawing(mesh, judge_view(tried, tree.universe),
+                      drawn_lines(scene, tried, with_hidden, crease_angle_deg), options);
     seen += found.seen / found.diagonal;
     if (found.is_good()) continue;
     ADD_FAILURE() << "no edge " << found.no_edge << ", hidden " << found.not_seen << ", missed "
@@ -114,6 +119,9 @@ TEST_P(DrawingsOfModels, ShowWhatIsSeen) {
     views.push_back({"eye in a cavity", {}, 22 * unit * Vec3(1, -1, 0), 15 * unit * Vec3(1, 1, 1)});
   }
   EXPECT_GT(expect_right(GetParam().name, tree, last, mesh_of(solid), views), 5);
+  for (const double angle : {20.0, 61.0}) {
+    EXPECT_GT(expect_right(GetParam().name, tree, last, mesh_of(solid), views, angle), 2);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, DrawingsOfModels,

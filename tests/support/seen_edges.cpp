@@ -67,6 +67,7 @@ class Bends {
     return std::any_of(faces.begin(), faces.end(), [&](auto k) { return is_sliver_[k]; });
   }
 
+  Vec3 normal(std::uint32_t face) const { return normals_[face]; }
   double between(std::uint32_t one, std::uint32_t other) const {
     return std::min(farthest_off(one, other), farthest_off(other, one)) / diagonal_;
   }
@@ -203,6 +204,23 @@ class Scene {
   PictureGrid grid_;
 };
 
+enum class Wanted { No, Perhaps, Yes };
+
+/// Whether an edge between two faces is one for who leaves out where the surface hardly turns.
+/// Perhaps: so near to the angle, or with a face so near to being seen edge-on.
+Wanted is_wanted(Vec3 p, Vec3 q, Vec3 point, const JudgeView& view, double angle_deg) {
+  constexpr double kNearAngle = 0.01;
+  constexpr double kNearEdgeOn = 1e-7;
+  const double turn = 2 * std::asin(std::min(1.0, 0.5 * glm::length(p - q))) * 57.29577951308232;
+  if (turn > angle_deg + kNearAngle) return Wanted::Yes;
+  const Vec3 toward = glm::normalize(view.is_perspective() ? view.viewer() - point : view.viewer());
+  const double one = glm::dot(p, toward);
+  const double other = glm::dot(q, toward);
+  const bool is_clear = std::min(std::abs(one), std::abs(other)) > kNearEdgeOn;
+  if (is_clear && (one > 0) != (other > 0)) return Wanted::Yes;
+  return is_clear && turn < angle_deg - kNearAngle ? Wanted::No : Wanted::Perhaps;
+}
+
 }  // namespace
 
 std::vector<SeenEdge> seen_edges(const PlainMesh& given, const JudgeView& view,
@@ -221,6 +239,10 @@ std::vector<SeenEdge> seen_edges(const PlainMesh& given, const JudgeView& view,
       const bool is_flat = bend <= options.flat;
       edge.is_doubtful = bend <= options.bent;
       if (is_flat && !bends.is_beside_sliver(faces)) continue;
+      const Wanted wanted = is_wanted(bends.normal(faces[0]), bends.normal(faces[1]), edge.a, view,
+                                      options.crease_angle_deg);
+      if (wanted == Wanted::No) continue;
+      edge.is_doubtful |= options.crease_angle_deg > 0 && wanted == Wanted::Perhaps;
     }
     const auto window = view.clip(edge.a, edge.b);
     if (!window) continue;

@@ -23,6 +23,9 @@ struct SeenEdgesOptions {
   double flat = 1e-12;
   /// Those that differ by more than this have one; in between, a drawing may show it or not.
   double bent = 1e-9;
+  /// Edges at which two faces turn by less are none, unless one of the faces faces the viewer and
+  /// the other does not.
+  double crease_angle_deg = 0;
 };
 
 struct SeenEdge {

@@ -403,6 +403,36 @@ TEST(FirstHit, LeavesNoCracksWhereCellsAndPlanesMeet) {
   }
 }
 
+// One plane says the same of both cubes, by its outside in one and by its inside in the other.
+TEST(FirstHit, TakesARayInAFaceForOneRayBesideItInAllCells) {
+  Octree tree;
+  tree.planes = {axis_plane(1, 1, 0.25), axis_plane(1, -1, -0.25)};
+  tree.levels.resize(2);
+  tree.levels[0].append(NodeKind::Grey, {});
+  for (int octant = 0; octant < 8; ++octant) {
+    // y in (0, 1): below 0.25 where x < 0, above it where x > 0.
+    const std::uint32_t own[1] = {octant & 1 ? 1u : 0u};
+    if ((octant & 2) != 0) {
+      tree.levels[1].append(NodeKind::Convex, own);
+    } else {
+      tree.levels[1].append(NodeKind::White, {});
+    }
+  }
+  ASSERT_TRUE(validate(tree).empty());
+  const QueryIndex index(tree);
+  for (const double z : {-0.5, 0.0, 0.5}) {
+    const RayAnswer there = index.first_hit({{-2, 0.25, z}, {1, 0, 0}});
+    EXPECT_EQ(there.kind, RayAnswer::Kind::Hit);
+    const RayAnswer back = index.first_hit({{2, 0.25, z}, {-1, 0, 0}});
+    EXPECT_EQ(back.kind, RayAnswer::Kind::Hit);
+    // Above, material reaches from 0 to 1; below, from -1 to 0.
+    EXPECT_EQ(there.first, 2);
+    EXPECT_EQ(back.first, 1);
+    // From within: it leaves the one, or enters the other.
+    EXPECT_EQ(index.first_hit({{-0.5, 0.25, z}, {1, 0, 0}}).first, 0.5);
+  }
+}
+
 TEST(FirstHit, AnswersRaysFromAnywhere) {
   const Octree tree = box_tree(0.5);
   const QueryIndex index(tree);
