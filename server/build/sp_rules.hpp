@@ -9,11 +9,11 @@
 
 namespace spoctree {
 
-/// A cell with at most so many remaining planes becomes a VERTEX leaf, even if they share no vertex.
-/// Small at first, since planes in a large cell cost more bytes than they save distance; larger from
-/// kGrowingFrom on, since in a small cell subdividing repeats planes and tells little. Chosen on real
-/// meshes (tests/corpus/level_distances.cpp): fewer planes make scans finer at first and everything
-/// larger in the end, more make the first levels of parts heavy.
+/// A cell with at most so many remaining planes becomes a VERTEX leaf, even if they share no
+/// vertex. Small at first, since planes in a large cell cost more bytes than they save distance;
+/// larger from kGrowingFrom on, since in a small cell subdividing repeats planes and tells little.
+/// Chosen on real meshes (tests/corpus/level_distances.cpp): fewer planes make scans finer at first
+/// and everything larger in the end, more make the first levels of parts heavy.
 inline constexpr std::uint32_t kLeafPlanes = 16;
 inline constexpr std::uint32_t kMostLeafPlanes = 32;
 inline constexpr std::uint32_t kGrowingFrom = 6;  ///< a depth
@@ -25,8 +25,8 @@ inline constexpr std::uint32_t kGrowthPerLevel = 4;
 inline constexpr std::uint32_t kMostUnseparatedPlanes = 128;
 
 struct SpRules {
-  /// The limit of remaining planes at every depth; 0: the paper's rule alone. Without it, the limits
-  /// above.
+  /// The limit of remaining planes at every depth; 0: the paper's rule alone. Without it, the
+  /// limits above.
   std::optional<std::uint32_t> leaf_planes;
   /// A cell at this depth becomes a VERTEX leaf whatever it holds.
   std::uint32_t max_depth = kMaxDepth;

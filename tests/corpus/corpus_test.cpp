@@ -29,9 +29,7 @@ class Corpus : public testing::Test {
     folder_ = folder;
   }
 
-  ChainFigures judge(const fs::path& name, double flat_tolerance = kDefaultFlatTolerance) const {
-    ChainOptions options;
-    options.flat_tolerance = flat_tolerance;
+  ChainFigures judge(const fs::path& name, ChainOptions options = {}) const {
     options.rebuild_levels_up_to = 20000;
     return judge_chain(name.string(), read_mesh(folder_ / name), options);
   }
@@ -53,7 +51,10 @@ class MeasuredCorpus : public Corpus, public testing::WithParamInterface<Yardsti
 
 TEST_P(MeasuredCorpus, ComesOutAsItWentInWithAboutAsManyNodesAsMeasured) {
   const Yardstick& measured = GetParam();
-  const ChainFigures figures = judge(measured.file, 1e-9);  // as those trees were built
+  ChainOptions options;  // as those trees were built
+  options.flat_tolerance = 1e-9;
+  options.rules = kPaperRules;
+  const ChainFigures figures = judge(measured.file, options);
   EXPECT_NEAR(static_cast<double>(figures.nodes) / measured.nodes, 1, 0.2);
   EXPECT_NEAR(static_cast<double>(figures.references) / measured.references, 1, 0.2);
   EXPECT_NEAR(static_cast<double>(figures.root_planes), measured.root_planes,

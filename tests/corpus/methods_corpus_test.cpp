@@ -2,8 +2,10 @@
 // sight show what is seen from front to back.
 #include <gtest/gtest.h>
 
+
 #include <algorithm>
 #include <filesystem>
+#include <tuple>
 
 #include "client/cells/cell_scene.hpp"
 #include "client/lines/extent.hpp"
@@ -34,10 +36,18 @@ TEST_P(MethodsCorpus, DrawTheSame) {
   if (meshes_folder() == nullptr) GTEST_SKIP() << "SPOCTREE_MESHES is not set";
   const fs::path path = fs::path(meshes_folder()) / GetParam();
   const Solid solid = import_solid(read_mesh(path), path.string(), {});
-  const Octree tree = build_octree(solid, SolidQueries(solid), {}).tree;
-  const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);
-  for (const std::uint32_t level : {last / 2, last}) {
-    SCOPED_TRACE("level " + std::to_string(level));
+  // By the paper's rule there are middle levels to look at; by default, leaves are larger.
+  BuildOptions options;
+  options.rules = kPaperRules;
+  const SolidQueries queries(solid);
+  const Octree fine = build_octree(solid, queries, options).tree;
+  const Octree coarse = build_octree(solid, queries, {}).tree;
+  const auto last = static_cast<std::uint32_t>(fine.levels.size() - 1);
+  const auto coarse_last = static_cast<std::uint32_t>(coarse.levels.size() - 1);
+  const std::tuple<const Octree&, std::uint32_t> cases[] = {
+      {fine, last / 2}, {fine, last}, {coarse, coarse_last}};
+  for (const auto& [tree, level] : cases) {
+    SCOPED_TRACE("level " + std::to_string(level) + " of " + std::to_string(tree.levels.size()));
     const LineScene scene(tree, rebuild_surface(tree, level), level);
     const CellScene cells(scene);
     for (const Camera& camera :

@@ -142,8 +142,8 @@ const std::string& spo_of(const std::string& model, int size) {
   if (bytes.empty()) {
     const TemporaryFolder folder;
     write_file(folder.file(model + ".off"), off_of(model, size));
-    const Outcome outcome =
-        run_server({"build", folder.file(model + ".off"), "-o", folder.file("model.spo")});
+    const Outcome outcome = run_server({"build", folder.file(model + ".off"), "-o",
+                                        folder.file("model.spo"), "--leaf-planes", "0"});
     if (outcome.code != 0) throw std::runtime_error("cannot build " + model + ": " + outcome.err);
     bytes = read_file(folder.file("model.spo"));
   }

@@ -82,7 +82,8 @@ bool wait_until(Condition&& is_true);
 void expect_one_complaint(const Outcome& outcome, const std::string& program);
 
 /// A .spo file's bytes: a model of tools/model (as spoctree-model makes it), built by
-/// spoctree-server. Built once per test program.
+/// spoctree-server --leaf-planes 0, so that small models have several levels. Built once per test
+/// program.
 const std::string& spo_of(const std::string& model, int size = 0);
 /// The same model as a mesh file's text.
 std::string off_of(const std::string& model, int size = 0);

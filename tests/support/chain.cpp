@@ -189,7 +189,9 @@ ChainFigures judge_chain(const std::string& name, const PolygonSoup& soup,
   ChainFigures figures;
   const Solid solid = import_solid(soup, name, {options.flat_tolerance});
   const SolidQueries queries(solid);
-  BuiltOctree built = build_octree(solid, queries, {});
+  BuildOptions build_options;
+  build_options.rules = options.rules;
+  BuiltOctree built = build_octree(solid, queries, build_options);
   certify(built, solid, queries);
   figures.triangles = solid.triangles.size();
   figures.planes = solid.planes.size();

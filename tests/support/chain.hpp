@@ -6,6 +6,7 @@
 
 #include "common/geometry/tolerances.hpp"
 #include "common/tree/octree.hpp"
+#include "server/build/sp_rules.hpp"
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/solid.hpp"
 #include "tests/support/mesh_judge.hpp"
@@ -14,6 +15,7 @@ namespace spoctree {
 
 struct ChainOptions {
   double flat_tolerance = kDefaultFlatTolerance;
+  SpRules rules;
   std::size_t points = 10000;
   /// Intermediate levels are rebuilt for models of at most so many nodes.
   std::size_t rebuild_levels_up_to = 3000;
