@@ -2,7 +2,6 @@
 // sight show what is seen from front to back.
 #include <gtest/gtest.h>
 
-
 #include <algorithm>
 #include <filesystem>
 #include <tuple>
