@@ -26,7 +26,8 @@ struct ImportOptions {
 /// may have several parts, cavities, and parts in cavities. A solid whose faces all point inwards
 /// is turned (report.was_turned).
 ///
-/// Everything is decided exactly: on the file's coordinates which faces are degenerate, on the grid
+/// What the grid cannot tell apart is made one first (settle_on_grid; report.settled says what).
+/// Then everything is decided exactly: on the file's coordinates which faces are degenerate, on the grid
 /// (to which a point moves by less than 2^-52 of the universe cube) whether the surface is free of
 /// self-intersections and how its parts nest. n log n for n faces whose bounding boxes overlap few
 /// others.
@@ -38,6 +39,6 @@ struct ImportOptions {
 /// without merging is one with it, and the other way round.
 ///
 /// REQUIRES: soup as from read_mesh (equal points merged, none unused); 0 <= flat_tolerance < 0.1.
-Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options);
+Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions& options);
 
 }  // namespace spoctree
