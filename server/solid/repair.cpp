@@ -1,10 +1,12 @@
 #include "server/solid/repair.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <utility>
 
 #include "server/mesh/merge_equal_points.hpp"
+#include "server/mesh/precision.hpp"
 #include "server/solid/grid_mesh.hpp"
 #include "server/solid/repair_borders.hpp"
 #include "server/solid/repair_debris.hpp"
@@ -26,8 +28,11 @@ std::string to_percent(double fraction) {
 
 class Repairer {
  public:
-  Repairer(PolygonSoup&& soup, double precision) : precision_(precision) {
+  explicit Repairer(PolygonSoup&& soup) {
     repair_.soup = std::move(soup);
+    const glm::dvec3 spacing =
+        coordinate_spacing(repair_.soup.precision, repair_.soup.points);
+    precision_ = std::max({spacing.x, spacing.y, spacing.z});
   }
 
   Repair run() {
@@ -159,14 +164,12 @@ class Repairer {
                               }));
   }
 
-  double precision_;
+  double precision_ = 0;  // the unit of the last digit, where that is largest
   Repair repair_;
 };
 
 }  // namespace
 
-Repair repair(PolygonSoup soup, double precision) {
-  return Repairer(std::move(soup), precision).run();
-}
+Repair repair(PolygonSoup soup) { return Repairer(std::move(soup)).run(); }
 
 }  // namespace spoctree

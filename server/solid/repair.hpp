@@ -55,8 +55,7 @@ struct Repair {
 /// surfaces that meet themselves or each other stay what they are.
 ///
 /// n log n for n face corners, and quadratic in kMostHoleEdges. Throws nothing but what memory
-/// does. `precision` is the unit of the file's last digit, in its units, as far as it is known.
-/// REQUIRES: soup as from read_mesh.
-Repair repair(PolygonSoup soup, double precision = 0);
+/// does. REQUIRES: soup as from read_mesh, with its precision.
+Repair repair(PolygonSoup soup);
 
 }  // namespace spoctree
