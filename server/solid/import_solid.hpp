@@ -27,10 +27,10 @@ struct ImportOptions {
 /// is turned (report.was_turned).
 ///
 /// What the grid cannot tell apart is made one first (settle_on_grid; report.settled says what).
-/// Then everything is decided exactly: on the file's coordinates which faces are degenerate, on the grid
-/// (to which a point moves by less than 2^-52 of the universe cube) whether the surface is free of
-/// self-intersections and how its parts nest. n log n for n faces whose bounding boxes overlap few
-/// others.
+/// Then everything is decided exactly: on the file's coordinates which faces are degenerate, on the
+/// grid (to which a point moves by less than 2^-52 of the universe cube) whether the surface is
+/// free of self-intersections and how its parts nest. n log n for n faces whose bounding boxes
+/// overlap few others.
 ///
 /// Throws BadInput("name: what is wrong, how often, and where first", in the file's coordinates) if
 /// there are no faces or degenerate ones, or if they do not bound a solid: border edges, edges with

@@ -12,8 +12,8 @@ namespace spoctree {
 
 /// An edge with an odd number of faces.
 struct OpenEdge {
-  std::uint32_t low;   ///< the smaller of its points
-  std::uint32_t high;  ///< the larger
+  std::uint32_t low;         ///< the smaller of its points
+  std::uint32_t high;        ///< the larger
   std::uint32_t first_side;  ///< in OpenPart::sides
   std::uint32_t side_count;
   /// If there is one face: the direction from the edge into it, a unit vector, and how far it

@@ -92,8 +92,9 @@ PointCells::Cell PointCells::cell_of(Vec3 p) const {
   return cell;
 }
 
-std::vector<std::uint32_t> bounded_clusters(std::vector<Box> boxes, std::span<const PointPair> pairs,
-                                            double width, std::span<const PointPair> sure) {
+std::vector<std::uint32_t> bounded_clusters(std::vector<Box> boxes,
+                                            std::span<const PointPair> pairs, double width,
+                                            std::span<const PointPair> sure) {
   FaceGroups wide(boxes.size());
   for (const auto& [i, j] : pairs) wide.join(i, j);
   for (const auto& [i, j] : sure) wide.join(i, j);

@@ -89,8 +89,9 @@ bool visit_near_points(std::span<const Vec3> points, double distance, std::size_
 /// others already, which are in its box; else that is the point. A cluster whose boxes are together
 /// wider than `width` in a coordinate is not made; of its points, only those joined by `sure` pairs
 /// are. Nearly linear.
-std::vector<std::uint32_t> bounded_clusters(std::vector<Box> boxes, std::span<const PointPair> pairs,
-                                            double width, std::span<const PointPair> sure = {});
+std::vector<std::uint32_t> bounded_clusters(std::vector<Box> boxes,
+                                            std::span<const PointPair> pairs, double width,
+                                            std::span<const PointPair> sure = {});
 
 /// Which of the points of a cluster all of them become: the one that most corners have, among these
 /// the one with the smallest coordinates, from the last to the first in magnitude.

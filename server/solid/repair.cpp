@@ -30,8 +30,7 @@ class Repairer {
  public:
   explicit Repairer(PolygonSoup&& soup) {
     repair_.soup = std::move(soup);
-    const glm::dvec3 spacing =
-        coordinate_spacing(repair_.soup.precision, repair_.soup.points);
+    const glm::dvec3 spacing = coordinate_spacing(repair_.soup.precision, repair_.soup.points);
     precision_ = std::max({spacing.x, spacing.y, spacing.z});
   }
 
@@ -85,10 +84,10 @@ class Repairer {
     }
     log("dropped", mended.collapsed, "face", " with fewer than three different corners then");
     if (mended.inserted.count() > 0) {
-      repair_.changes.push_back(
-          "put: " + counted(mended.inserted.count(), "corner") + " into longer edges, " +
-          mended.inserted.places(point_place()) + "; the farthest was " +
-          to_length(mended.farthest_inserted) + " off its edge");
+      repair_.changes.push_back("put: " + counted(mended.inserted.count(), "corner") +
+                                " into longer edges, " + mended.inserted.places(point_place()) +
+                                "; the farthest was " + to_length(mended.farthest_inserted) +
+                                " off its edge");
     }
     log("dropped", mended.slivers, "triangle", " thinner than the precision of the file");
     return mended.merged.count() + mended.inserted.count() + mended.slivers.count() > 0;
@@ -115,12 +114,11 @@ class Repairer {
 
   void log(const DroppedPieces& dropped, const std::string& which) {
     if (dropped.faces == 0) return;
-    repair_.changes.push_back(
-        "dropped: " + counted(dropped.pieces.count(), "piece") + " of surface " + which + " (" +
-        counted(dropped.faces, "face") + "), " +
-        dropped.pieces.places([this](const DroppedPiece& piece) {
-          return place_text(repair_.soup.points, piece.first.corners);
-        }));
+    repair_.changes.push_back("dropped: " + counted(dropped.pieces.count(), "piece") +
+                              " of surface " + which + " (" + counted(dropped.faces, "face") +
+                              "), " + dropped.pieces.places([this](const DroppedPiece& piece) {
+                                return place_text(repair_.soup.points, piece.first.corners);
+                              }));
   }
 
   void log(const FilledHoles& holes) {

@@ -8,6 +8,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <unordered_set>
 #include <vector>
 
 #include "server/solid/box_tree.hpp"
@@ -15,6 +16,7 @@
 #include "server/solid/merge_corners.hpp"
 #include "server/solid/open_edges.hpp"
 #include "server/solid/point_clusters.hpp"
+#include "server/solid/split_dented_triangle.hpp"
 
 namespace spoctree {
 
@@ -68,6 +70,7 @@ class BorderMender {
       distance = std::min(kNextDistance * distance, last_distance_);
       if (distance_ < 2 * precision_ && distance > 2 * precision_) distance = 2 * precision_;
     }
+    split_crossing_faces();
     return std::move(mended_);
   }
 
@@ -109,19 +112,19 @@ class BorderMender {
                                         ends.begin());
     };
     std::vector<PointPair> pairs;
-    const bool are_few = visit_near_points(
-        middles, distance_, kMostPairsPerEdge * middles.size(),
-        [&](std::uint32_t i, std::uint32_t j) {
-          const OpenEdge& e = part.edges[i];
-          const OpenEdge& f = part.edges[j];
-          for (const bool is_crosswise : {false, true}) {
-            const std::uint32_t low = is_crosswise ? f.high : f.low;
-            const std::uint32_t high = is_crosswise ? f.low : f.high;
-            if (!are_same(e, low, high) || are_folded(e, f)) continue;
-            if (e.low != low) pairs.push_back({place(e.low), place(low)});
-            if (e.high != high) pairs.push_back({place(e.high), place(high)});
-          }
-        });
+    const bool are_few =
+        visit_near_points(middles, distance_, kMostPairsPerEdge * middles.size(),
+                          [&](std::uint32_t i, std::uint32_t j) {
+                            const OpenEdge& e = part.edges[i];
+                            const OpenEdge& f = part.edges[j];
+                            for (const bool is_crosswise : {false, true}) {
+                              const std::uint32_t low = is_crosswise ? f.high : f.low;
+                              const std::uint32_t high = is_crosswise ? f.low : f.high;
+                              if (!are_same(e, low, high) || are_folded(e, f)) continue;
+                              if (e.low != low) pairs.push_back({place(e.low), place(low)});
+                              if (e.high != high) pairs.push_back({place(e.high), place(high)});
+                            }
+                          });
     if (!are_few || pairs.empty()) return false;
     std::vector<Box> boxes;
     for (const std::uint32_t end : ends) boxes.push_back(box_of(end));
@@ -129,8 +132,8 @@ class BorderMender {
   }
 
   bool are_same(const OpenEdge& e, std::uint32_t low, std::uint32_t high) const {
-    const double length =
-        std::min(glm::distance(point(e.low), point(e.high)), glm::distance(point(low), point(high)));
+    const double length = std::min(glm::distance(point(e.low), point(e.high)),
+                                   glm::distance(point(low), point(high)));
     const double most = std::min(distance_, near_ends() * length);
     return glm::distance(point(e.low), point(low)) <= most &&
            glm::distance(point(e.high), point(high)) <= most;
@@ -229,11 +232,15 @@ class BorderMender {
           if (insertions_left-- == 0) return false;
           points.push_back(insertion.point);
         }
-        if (part.faces.corners[side.corner] == edge.high) std::reverse(points.begin(), points.end());
+        if (part.faces.corners[side.corner] == edge.high)
+          std::reverse(points.begin(), points.end());
       }
     }
     if (added.empty()) return false;
-    for (const auto& [face, number] : added) mended_.inserted.add({number, point(number)});
+    for (const auto& [face, number] : added) {
+      mended_.inserted.add({number, point(number)});
+      inserted_.insert(number);
+    }
     for (const OpenEdge& edge : part.edges) note_farthest(part, edge, added_after);
     put_in(part.faces, added_after);
     return true;
@@ -303,8 +310,7 @@ class BorderMender {
         glm::dot(course.direction(), segment.direction()) > 0 ? edge.high : edge.low;
     const bool is_shorter = segment.distance(point(w)) <= distance_;
     if (!is_shorter && course.distance(point(end)) > distance_) return false;
-    const double common =
-        std::min(course.length(), glm::distance(point(v), point(end)));
+    const double common = std::min(course.length(), glm::distance(point(v), point(end)));
     return distance_ <= near_ends() * common && !are_folded(edge, other);
   }
 
@@ -359,6 +365,29 @@ class BorderMender {
     faces.first_corner = std::move(first_corner);
   }
 
+  // Where a face is hardly wider than its new corners are off its sides, its edges may cross.
+  void split_crossing_faces() {
+    if (mended_.inserted.count() == 0) return;
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> first_corner{0};
+    for (std::size_t f = 0; f < soup_.face_count(); ++f) {
+      const auto face = soup_.face(f);
+      const auto add = [&](std::span<const std::uint32_t> part) {
+        corners.insert(corners.end(), part.begin(), part.end());
+        first_corner.push_back(static_cast<std::uint32_t>(corners.size()));
+      };
+      std::vector<std::array<std::uint32_t, 3>> triangles;
+      if (std::any_of(face.begin(), face.end(),
+                      [&](std::uint32_t corner) { return inserted_.contains(corner); })) {
+        triangles = split_dented_triangle(face, soup_.points, 2 * distance_);
+      }
+      for (const auto& triangle : triangles) add(triangle);
+      if (triangles.empty()) add(face);
+    }
+    soup_.corners = std::move(corners);
+    soup_.first_corner = std::move(first_corner);
+  }
+
   // Triangles with an open edge that the file's precision cannot tell from a line.
   bool drop_slivers() {
     OpenPart part(soup_, open_points_);
@@ -391,8 +420,8 @@ class BorderMender {
     for (std::size_t i = 0; i < 3; ++i) {
       longest = std::max(longest, glm::distance(point(face[i]), point(face[(i + 1) % 3])));
     }
-    const double area = glm::length(
-        glm::cross(point(face[1]) - point(face[0]), point(face[2]) - point(face[0])));
+    const double area =
+        glm::length(glm::cross(point(face[1]) - point(face[0]), point(face[2]) - point(face[0])));
     return area <= precision_ * longest;
   }
 
@@ -404,6 +433,7 @@ class BorderMender {
   std::vector<bool> open_points_;
   std::vector<std::uint32_t> new_number_;
   std::map<std::uint32_t, Box> stands_for_;
+  std::unordered_set<std::uint32_t> inserted_;
   MendedBorders mended_;
 };
 

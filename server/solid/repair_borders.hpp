@@ -10,8 +10,8 @@
 
 namespace spoctree {
 
-/// A crack is closed if it is nowhere wider than this, as a fraction of the bounding box's diagonal,
-/// or than twice the file's precision; wider ones are holes.
+/// A crack is closed if it is nowhere wider than this, as a fraction of the bounding box's
+/// diagonal, or than twice the file's precision; wider ones are holes.
 inline constexpr double kWidestCrack = 1e-4;
 
 /// The precision of a file counts up to this, as a fraction of the diagonal: one that is coarser

@@ -134,12 +134,12 @@ DroppedPieces drop_flaps(PolygonSoup& soup) {
 }
 
 DroppedPieces drop_debris(PolygonSoup& soup, const std::vector<bool>& is_scrap) {
-  const SoupSurfaces surfaces =
-      find_surfaces(soup, sides_by_edge(soup), Connection::AnyEdge);
+  const SoupSurfaces surfaces = find_surfaces(soup, sides_by_edge(soup), Connection::AnyEdge);
   if (surfaces.list.size() < 2) return {};
   std::vector<FlatnessTest> flatness(surfaces.list.size(), FlatnessTest(soup));
   for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    if (surfaces.list[surfaces.of_face[f]].is_closed()) flatness[surfaces.of_face[f]].add(soup.face(f));
+    if (surfaces.list[surfaces.of_face[f]].is_closed())
+      flatness[surfaces.of_face[f]].add(soup.face(f));
   }
   double closed_area = 0;
   for (std::size_t i = 0; i < surfaces.list.size(); ++i) {
@@ -157,7 +157,8 @@ DroppedPieces drop_debris(PolygonSoup& soup, const std::vector<bool>& is_scrap) 
     }
     // Edges of three faces say that something is wrong, but not what.
     if (surface.odd_edges > 0) continue;
-    const bool is_hardly_more = surface.first_face < is_scrap.size() && is_scrap[surface.first_face];
+    const bool is_hardly_more =
+        surface.first_face < is_scrap.size() && is_scrap[surface.first_face];
     is_dropped[i] = surface.area <= kLargestDebris * closed_area ||
                     surface.flatness() > kFlatPiece ||
                     (is_hardly_more && surface.area <= closed_area);

@@ -233,10 +233,9 @@ std::vector<bool> find_scraps(const SoupSurfaces& surfaces, const std::vector<Lo
   for (std::uint32_t i = 0; i < surfaces.list.size(); ++i) {
     const std::uint32_t group = groups.group_of(i);
     const SoupSurface& sum = sums[group];
-    is_scrap[i] =
-        triangles_missing[group] > 0 &&
-        (triangles_missing[group] >= sum.triangles || sum.flatness() > kFlatPiece ||
-         (sum.flatness() > kFlatScrap && sum.area <= kLargestDebris * whole_area));
+    is_scrap[i] = triangles_missing[group] > 0 &&
+                  (triangles_missing[group] >= sum.triangles || sum.flatness() > kFlatPiece ||
+                   (sum.flatness() > kFlatScrap && sum.area <= kLargestDebris * whole_area));
   }
   return is_scrap;
 }

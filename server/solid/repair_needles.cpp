@@ -55,7 +55,8 @@ class Round {
       }
       const SoupSide& beyond = edge[0].face == needle.face ? edge[1] : edge[0];
       if (const std::uint32_t other = needle_of_[beyond.face]; other != kNone) {
-        if (longest_edge(needles_[other]) == longest_edge(needle)) pairs_.push_back({&needle - needles_.data(), other});
+        if (longest_edge(needles_[other]) == longest_edge(needle))
+          pairs_.push_back({&needle - needles_.data(), other});
         continue;
       }
       by_face[beyond.face].push_back({beyond.corner, &needle});

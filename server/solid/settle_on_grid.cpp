@@ -58,9 +58,11 @@ std::vector<std::uint32_t> find_mergers(const PolygonSoup& soup, const Universe&
     on_grid.push_back(universe.to_grid(soup.points[i]));
   }
   std::vector<PointPair> pairs;
-  const bool are_few = visit_near_points(
-      near_places, kStep, kMostPairsPerPoint * near_places.size(),
-      [&](std::uint32_t i, std::uint32_t j) { pairs.push_back({i, j}); });
+  const bool are_few =
+      visit_near_points(near_places, kStep, kMostPairsPerPoint * near_places.size(),
+                        [&](std::uint32_t i, std::uint32_t j) {
+                          pairs.push_back({i, j});
+                        });
   if (!are_few) pairs.clear();
   const std::vector<std::uint32_t> equal = equal_points(on_grid);
   std::vector<PointPair> sure;
@@ -118,8 +120,7 @@ std::optional<std::array<std::uint32_t, 3>> line_on_grid(std::span<const Vec3> p
 std::string line_about(const char* verb, const FirstFound<FacePlace>& faces, const char* which,
                        const PolygonSoup& soup) {
   return std::string(verb) + counted(faces.count(), "triangle") + which + ", " +
-         faces.places(
-             [&](const FacePlace& face) { return place_text(soup.points, face.corners); });
+         faces.places([&](const FacePlace& face) { return place_text(soup.points, face.corners); });
 }
 
 }  // namespace
@@ -137,10 +138,11 @@ GridSettlement settle_on_grid(PolygonSoup& soup) {
       if (new_number[i] != i) merged.add(i);
     }
     settled.merged_points += merged.count();
-    settled.changes.push_back(
-        "merged: " + counted(merged.count(), "point") +
-        " with others that are nearer than 2^-52 of the extent, " +
-        merged.places([&](std::uint32_t i) { return place_text(soup.points, {&i, 1}); }));
+    settled.changes.push_back("merged: " + counted(merged.count(), "point") +
+                              " with others that are nearer than 2^-52 of the extent, " +
+                              merged.places([&](std::uint32_t i) {
+                                return place_text(soup.points, {&i, 1});
+                              }));
     // What was a line already is the file's own, and what has become one by this goes.
     const FirstFound<FacePlace> vanished = merge_corners(soup, new_number);
     if (vanished.count() > 0) {

@@ -50,8 +50,7 @@ SoupSurfaces find_surfaces(const PolygonSoup& soup, std::span<const SoupSide> si
       SoupSurface& surface = surfaces.list[number];
       if (edge.size() == 1) {
         ++surface.border_edges;
-        surface.border_length +=
-            glm::distance(soup.points[edge[0].low], soup.points[edge[0].high]);
+        surface.border_length += glm::distance(soup.points[edge[0].low], soup.points[edge[0].high]);
       } else {
         if (edge.size() % 2 == 1) ++surface.odd_edges;
         if (2 * up != edge.size()) ++surface.unbalanced_edges;
