@@ -70,6 +70,10 @@ class BorderMender {
       distance = std::min(kNextDistance * distance, last_distance_);
       if (distance_ < 2 * precision_ && distance > 2 * precision_) distance = 2 * precision_;
     }
+    // What is a hole on one side of the corner.
+    distance_ = std::max(2 * precision_, first_distance_);
+    is_last_resort_ = true;
+    mend();
     split_crossing_faces();
     return std::move(mended_);
   }
@@ -206,19 +210,29 @@ class BorderMender {
     for (const OpenEdge& edge : part.edges) {
       std::vector<Insertion> found;
       const Segment segment(point(edge.low), point(edge.high));
-      const bool is_affordable = tree.visit_if(
-          [&](const Box& box) { return segment.may_come_near(box, distance_); },
-          [&](std::uint32_t i) {
-            if (looks_left < edges_at[i].size()) return false;
-            looks_left -= edges_at[i].size();
-            const std::uint32_t v = ends[i];
-            if (v == edge.low || v == edge.high || !is_within(point(v), segment)) return true;
-            const bool goes_on = std::any_of(
-                edges_at[i].begin(), edges_at[i].end(),
-                [&](std::uint32_t e) { return goes_along(part.edges[e], v, edge, segment); });
-            if (goes_on) found.push_back({segment.at(point(v)), v});
-            return true;
-          });
+      const bool is_affordable =
+          tree.visit_if([&](const Box& box) { return segment.may_come_near(box, distance_); },
+                        [&](std::uint32_t i) {
+                          if (looks_left < edges_at[i].size()) return false;
+                          looks_left -= edges_at[i].size();
+                          const std::uint32_t v = ends[i];
+                          if (v == edge.low || v == edge.high || !is_within(point(v), segment))
+                            return true;
+                          // Whichever faces the edge should have met, they go on both ways; a
+                          // corner that only rounding keeps from the edge's end has nothing to go
+                          // on to there.
+                          bool to_low = is_last_resort_;
+                          bool to_high = is_last_resort_;
+                          bool to_any = false;
+                          for (const std::uint32_t e : edges_at[i]) {
+                            if (!goes_along(part.edges[e], v, edge, segment)) continue;
+                            to_any = true;
+                            (is_towards_high(part.edges[e], v, segment) ? to_high : to_low) = true;
+                          }
+                          const bool goes_on = to_any && to_low && to_high;
+                          if (goes_on) found.push_back({segment.at(point(v)), v});
+                          return true;
+                        });
       if (!is_affordable) return false;
       if (found.empty()) continue;
       thin_out(found, edge);
@@ -298,7 +312,13 @@ class BorderMender {
   bool is_within(Vec3 p, const Segment& segment) const {
     const double at = segment.at(p);
     if (segment.distance(p) > distance_) return false;
-    return std::min(at, 1 - at) * segment.length() > distance_;
+    const double from_ends = is_last_resort_ ? last_distance_ : distance_;
+    return std::min(at, 1 - at) * segment.length() > from_ends;
+  }
+
+  bool is_towards_high(const OpenEdge& other, std::uint32_t v, const Segment& segment) const {
+    const std::uint32_t w = other.low == v ? other.high : other.low;
+    return glm::dot(point(w) - point(v), segment.direction()) > 0;
   }
 
   // Whether `other`, an open edge that ends in v, goes on along the edge that v lies in.
@@ -306,8 +326,7 @@ class BorderMender {
                   const Segment& segment) const {
     const std::uint32_t w = other.low == v ? other.high : other.low;
     const Segment course(point(v), point(w));
-    const std::uint32_t end =
-        glm::dot(course.direction(), segment.direction()) > 0 ? edge.high : edge.low;
+    const std::uint32_t end = is_towards_high(other, v, segment) ? edge.high : edge.low;
     const bool is_shorter = segment.distance(point(w)) <= distance_;
     if (!is_shorter && course.distance(point(end)) > distance_) return false;
     const double common = std::min(course.length(), glm::distance(point(v), point(end)));
@@ -379,7 +398,7 @@ class BorderMender {
       std::vector<std::array<std::uint32_t, 3>> triangles;
       if (std::any_of(face.begin(), face.end(),
                       [&](std::uint32_t corner) { return inserted_.contains(corner); })) {
-        triangles = split_dented_triangle(face, soup_.points, 2 * distance_);
+        triangles = split_dented_triangle(face, soup_.points, 2 * last_distance_);
       }
       for (const auto& triangle : triangles) add(triangle);
       if (triangles.empty()) add(face);
@@ -430,6 +449,7 @@ class BorderMender {
   double first_distance_ = 0;
   double last_distance_ = 0;
   double distance_ = 0;
+  bool is_last_resort_ = false;  // corners are put into edges although they go on one way only
   std::vector<bool> open_points_;
   std::vector<std::uint32_t> new_number_;
   std::map<std::uint32_t, Box> stands_for_;
