@@ -26,6 +26,16 @@ std::string to_percent(double fraction) {
   return text;
 }
 
+// Whether each edge has two faces, in opposite directions: then only what lies about beside the
+// solid may have to go.
+bool is_closed_and_oriented(const PolygonSoup& soup) {
+  bool is_so = true;
+  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+    is_so = is_so && edge.size() == 2 && runs_up(soup, edge[0]) != runs_up(soup, edge[1]);
+  });
+  return is_so;
+}
+
 class Repairer {
  public:
   explicit Repairer(PolygonSoup&& soup) {
@@ -35,30 +45,41 @@ class Repairer {
   }
 
   Repair run() {
-    const GridSettlement settled = settle_on_grid(soup());
-    repair_.changes = settled.changes;
+    settle();
     drop_duplicates();
     straighten();
-    if (mend()) {
-      drop_duplicates();
-      straighten();
+    FilledHoles holes;
+    if (!is_closed_and_oriented(soup())) {
+      if (mend()) {
+        drop_duplicates();
+        straighten();
+      }
+      log(drop_flaps(soup()), "hanging on other surfaces by an edge");
+      const TurnedFaces turned = agree_on_outside(soup());
+      log("turned", turned.faces, "face", " that disagreed with the faces around");
+      holes = fill_holes(soup());
+      log(holes);
     }
-    log(drop_flaps(soup()), "hanging on other surfaces by an edge");
-    const TurnedFaces turned = agree_on_outside(soup());
-    log("turned", turned.faces, "face", " that disagreed with the faces around");
-    const FilledHoles holes = fill_holes(soup());
-    log(holes);
     const DroppedPieces debris = drop_debris(soup(), holes.is_scrap);
     log(debris, "that bounds nothing");
     if (debris.faces == 0) {
       refuse(holes.of_scraps, "around a surface that is hardly more than its border");
     }
-    if (!repair_.changes.empty()) remove_unused_points();
+    if (!repair_.changes.empty()) {
+      remove_unused_points();
+      settle();  // what is left may have another grid
+    }
     return std::move(repair_);
   }
 
  private:
   PolygonSoup& soup() { return repair_.soup; }
+
+  void settle() {
+    for (std::string& change : settle_on_grid(soup()).changes) {
+      repair_.changes.push_back(std::move(change));
+    }
+  }
 
   void drop_duplicates() {
     const DroppedDuplicates dropped = drop_duplicate_faces(soup());
