@@ -35,14 +35,14 @@ class PointCells {
   template <class Visit>
   bool visit_around(Vec3 p, Visit visit) const {
     const Cell middle = cell_of(p);
-    Cell cell{};
-    for (cell[0] = middle[0] - 1; cell[0] <= middle[0] + 1; ++cell[0]) {
-      for (cell[1] = middle[1] - 1; cell[1] <= middle[1] + 1; ++cell[1]) {
-        for (cell[2] = middle[2] - 1; cell[2] <= middle[2] + 1; ++cell[2]) {
-          auto entry = std::lower_bound(entries_.begin(), entries_.end(), Entry{cell, 0});
-          for (; entry != entries_.end() && entry->cell == cell; ++entry) {
-            if (!visit(entry->point)) return false;
-          }
+    for (std::int64_t x = middle[0] - 1; x <= middle[0] + 1; ++x) {
+      for (std::int64_t y = middle[1] - 1; y <= middle[1] + 1; ++y) {
+        // Cells above each other stand together.
+        const Cell last{x, y, middle[2] + 1};
+        auto entry =
+            std::lower_bound(entries_.begin(), entries_.end(), Entry{Cell{x, y, middle[2] - 1}, 0});
+        for (; entry != entries_.end() && entry->cell <= last; ++entry) {
+          if (!visit(entry->point)) return false;
         }
       }
     }
