@@ -91,7 +91,8 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   std::string name = mesh.string();
   if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
   try {
-    Solid solid = import_solid(soup, name, import_options);
+    Solid solid = import_solid(std::move(soup), name, import_options);
+    changes.insert(changes.end(), solid.report.settled.begin(), solid.report.settled.end());
     if (const std::size_t turned = solid.report.turned_shells; turned > 0) {
       changes.push_back("turned: " + std::to_string(turned) +
                         (turned == 1 ? " shell that faced" : " shells that faced") +

@@ -16,9 +16,6 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
             " of them not flat, by at most " + to_short_text(100 * report.largest_unevenness) +
             " % of the diagonal\n";
   }
-  if (report.merged_points > 0) {
-    text += "merged: " + std::to_string(report.merged_points) + " points\n";
-  }
   if (report.planes_before_merging != plane_count || report.largest_move > 0) {
     text += "merged: " + std::to_string(report.planes_before_merging) + " planes into " +
             std::to_string(plane_count) + ", no corner moved farther than " +

@@ -78,6 +78,13 @@ class BoxTree {
     if (!nodes_.empty()) visit_overlapping_in(0, box, visit);
   }
 
+  /// Calls visit(i) for every box for which may_meet(box), which is then true of the boxes around it
+  /// as well. Ends when visit returns false, and returns false then.
+  template <class MayMeet, class Visit>
+  bool visit_if(MayMeet may_meet, Visit visit) const {
+    return nodes_.empty() || visit_if_in(0, may_meet, visit);
+  }
+
   /// Calls visit(i) for every box that the ray from `p` along +z meets.
   template <class Visit>
   void visit_boxes_above(Vec3 p, Visit visit) const {
@@ -166,6 +173,20 @@ class BoxTree {
     for (std::uint32_t i = node.begin; i < node.end; ++i) {
       if (leaves_[i].box.overlaps(box)) visit(leaves_[i].index);
     }
+  }
+
+  template <class MayMeet, class Visit>
+  bool visit_if_in(std::uint32_t node_index, MayMeet& may_meet, Visit& visit) const {
+    const Node& node = nodes_[node_index];
+    if (!may_meet(node.box)) return true;
+    if (node.second_child != 0) {
+      return visit_if_in(node_index + 1, may_meet, visit) &&
+             visit_if_in(node.second_child, may_meet, visit);
+    }
+    for (std::uint32_t i = node.begin; i < node.end; ++i) {
+      if (may_meet(leaves_[i].box) && !visit(leaves_[i].index)) return false;
+    }
+    return true;
   }
 
   template <class Visit>

@@ -25,6 +25,12 @@ class FirstFound {
     if (first_.size() > kMostPlacesNamed) first_.pop_back();
   }
 
+  /// As if all that was added to `other` were added here.
+  void add_all(const FirstFound& other) {
+    for (const Key& key : other.first_) add(key);
+    count_ += other.count_ - other.first_.size();
+  }
+
   std::size_t count() const { return count_; }
   const std::vector<Key>& first() const { return first_; }
 

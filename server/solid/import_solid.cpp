@@ -8,6 +8,7 @@
 #include "server/solid/merge_faces.hpp"
 #include "server/solid/neighbours.hpp"
 #include "server/solid/self_intersections.hpp"
+#include "server/solid/settle_on_grid.hpp"
 #include "server/solid/shells.hpp"
 #include "server/solid/triangulate.hpp"
 
@@ -97,12 +98,15 @@ Solid make_solid(PlanarSurface surface, SolidReport report) {
 
 }  // namespace
 
-Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options) {
+Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions& options) {
   assert(options.flat_tolerance >= 0 && options.flat_tolerance < 0.1);
   const auto report_progress = [&options](double fraction) {
     if (options.progress) options.progress(fraction);
   };
   SolidReport report;
+  GridSettlement settled = settle_on_grid(soup);
+  report.merged_points = settled.merged_points;
+  report.settled = std::move(settled.changes);
   GridMesh mesh = place_on_grid(soup.points, name);
   triangulate(soup, mesh, report);
   std::vector<Corners> neighbours = find_neighbours(mesh);

@@ -26,10 +26,11 @@ struct ImportOptions {
 /// may have several parts, cavities, and parts in cavities. A solid whose faces all point inwards
 /// is turned (report.was_turned).
 ///
-/// Everything is decided exactly: on the file's coordinates which faces are degenerate, on the grid
-/// (to which a point moves by less than 2^-52 of the universe cube) whether the surface is free of
-/// self-intersections and how its parts nest. n log n for n faces whose bounding boxes overlap few
-/// others.
+/// What the grid cannot tell apart is made one first (settle_on_grid; report.settled says what).
+/// Then everything is decided exactly: on the file's coordinates which faces are degenerate, on the
+/// grid (to which a point moves by less than 2^-52 of the universe cube) whether the surface is
+/// free of self-intersections and how its parts nest. n log n for n faces whose bounding boxes
+/// overlap few others.
 ///
 /// Throws BadInput("name: what is wrong, how often, and where first", in the file's coordinates) if
 /// there are no faces or degenerate ones, or if they do not bound a solid: border edges, edges with
@@ -38,6 +39,6 @@ struct ImportOptions {
 /// without merging is one with it, and the other way round.
 ///
 /// REQUIRES: soup as from read_mesh (equal points merged, none unused); 0 <= flat_tolerance < 0.1.
-Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportOptions& options);
+Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions& options);
 
 }  // namespace spoctree

@@ -1,14 +1,20 @@
 #include "server/solid/repair.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <utility>
 
+#include "server/mesh/merge_equal_points.hpp"
+#include "server/mesh/precision.hpp"
 #include "server/solid/grid_mesh.hpp"
+#include "server/solid/repair_borders.hpp"
+#include "server/solid/repair_debris.hpp"
 #include "server/solid/repair_duplicates.hpp"
 #include "server/solid/repair_holes.hpp"
 #include "server/solid/repair_needles.hpp"
 #include "server/solid/repair_orientation.hpp"
+#include "server/solid/settle_on_grid.hpp"
 
 namespace spoctree {
 
@@ -20,29 +26,60 @@ std::string to_percent(double fraction) {
   return text;
 }
 
-bool has_crowded_edges(const PolygonSoup& soup) {
-  bool is_any = false;
-  for_each_edge(sides_by_edge(soup),
-                [&](std::span<const SoupSide> edge) { is_any = is_any || edge.size() > 2; });
-  return is_any;
+// Whether each edge has two faces, in opposite directions: then only what lies about beside the
+// solid may have to go.
+bool is_closed_and_oriented(const PolygonSoup& soup) {
+  bool is_so = true;
+  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+    is_so = is_so && edge.size() == 2 && runs_up(soup, edge[0]) != runs_up(soup, edge[1]);
+  });
+  return is_so;
 }
 
 class Repairer {
  public:
-  explicit Repairer(PolygonSoup&& soup) { repair_.soup = std::move(soup); }
+  explicit Repairer(PolygonSoup&& soup) {
+    repair_.soup = std::move(soup);
+    const glm::dvec3 spacing = coordinate_spacing(repair_.soup.precision, repair_.soup.points);
+    precision_ = std::max({spacing.x, spacing.y, spacing.z});
+  }
 
   Repair run() {
+    settle();
     drop_duplicates();
     straighten();
-    const TurnedFaces turned = agree_on_outside(soup());
-    log("turned", turned.faces, "face", " that disagreed with the faces around");
-    // Otherwise the surface has no holes that could be told from its seams.
-    if (turned.one_sided_edges == 0 && !has_crowded_edges(soup())) fill();
+    FilledHoles holes;
+    if (!is_closed_and_oriented(soup())) {
+      if (mend()) {
+        drop_duplicates();
+        straighten();
+      }
+      log(drop_flaps(soup()), "hanging on other surfaces by an edge");
+      const TurnedFaces turned = agree_on_outside(soup());
+      log("turned", turned.faces, "face", " that disagreed with the faces around");
+      holes = fill_holes(soup());
+      log(holes);
+    }
+    const DroppedPieces debris = drop_debris(soup(), holes.is_scrap);
+    log(debris, "that bounds nothing");
+    if (debris.faces == 0) {
+      refuse(holes.of_scraps, "around a surface that is hardly more than its border");
+    }
+    if (!repair_.changes.empty()) {
+      remove_unused_points();
+      settle();  // what is left may have another grid
+    }
     return std::move(repair_);
   }
 
  private:
   PolygonSoup& soup() { return repair_.soup; }
+
+  void settle() {
+    for (std::string& change : settle_on_grid(soup()).changes) {
+      repair_.changes.push_back(std::move(change));
+    }
+  }
 
   void drop_duplicates() {
     const DroppedDuplicates dropped = drop_duplicate_faces(soup());
@@ -57,8 +94,55 @@ class Repairer {
     if (needles.count() > 0) drop_duplicates();
   }
 
-  void fill() {
-    const FilledHoles holes = fill_holes(soup());
+  // Whether anything was changed.
+  bool mend() {
+    const MendedBorders mended = mend_borders(soup(), precision_);
+    if (mended.merged.count() > 0) {
+      repair_.changes.push_back("merged: " + counted(mended.merged.count(), "corner") +
+                                " with others along edges that match, " +
+                                mended.merged.places(point_place()) + "; the farthest moved by " +
+                                to_length(mended.farthest_merged));
+    }
+    log("dropped", mended.collapsed, "face", " with fewer than three different corners then");
+    if (mended.inserted.count() > 0) {
+      repair_.changes.push_back("put: " + counted(mended.inserted.count(), "corner") +
+                                " into longer edges, " + mended.inserted.places(point_place()) +
+                                "; the farthest was " + to_length(mended.farthest_inserted) +
+                                " off its edge");
+    }
+    log("dropped", mended.slivers, "triangle", " thinner than the precision of the file");
+    return mended.merged.count() + mended.inserted.count() + mended.slivers.count() > 0;
+  }
+
+  void remove_unused_points() {
+    const CollapsedFaces collapsed = soup().collapsed;
+    merge_equal_points(soup());
+    soup().collapsed = collapsed;
+  }
+
+  std::string to_length(double length) const {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.3g", length);
+    return text;
+  }
+
+  std::function<std::string(const PointPlace&)> point_place() const {
+    return [](const PointPlace& place) {
+      const std::uint32_t zero = 0;
+      return place_text({&place.point, 1}, {&zero, 1});
+    };
+  }
+
+  void log(const DroppedPieces& dropped, const std::string& which) {
+    if (dropped.faces == 0) return;
+    repair_.changes.push_back("dropped: " + counted(dropped.pieces.count(), "piece") +
+                              " of surface " + which + " (" + counted(dropped.faces, "face") +
+                              "), " + dropped.pieces.places([this](const DroppedPiece& piece) {
+                                return place_text(repair_.soup.points, piece.first.corners);
+                              }));
+  }
+
+  void log(const FilledHoles& holes) {
     const double whole = holes.whole;
     if (holes.filled.count() > 0) {
       const Hole& largest = holes.largest;
@@ -99,6 +183,7 @@ class Repairer {
                               }));
   }
 
+  double precision_ = 0;  // the unit of the last digit, where that is largest
   Repair repair_;
 };
 

@@ -24,6 +24,10 @@ inline constexpr double kLargestHole = 0.25;
 /// A hole counts as flat if its edges stay so close to one plane, as a fraction of its own size.
 inline constexpr double kFlatHole = 0.01;
 
+/// A surface up to kLargestDebris of all is not closed into a solid of its own if it is as flat as
+/// this (what is seen of it from the best side, as a part of its area).
+inline constexpr double kFlatScrap = 0.8;
+
 struct Repair {
   PolygonSoup soup;
   /// One line for each kind of change: how often, and the first places. Empty: nothing was changed.
@@ -33,20 +37,25 @@ struct Repair {
 };
 
 /// In this order, each step only where the mesh has what it mends:
+/// - points that the grid cannot tell apart become one (settle_on_grid; import_solid does so, too);
 /// - faces that stand twice lose their copies; where both sides of such a face are walled off by
 ///   others, the face itself too (two parts that share a wall become one);
 /// - triangles whose corners are on one line (exactly) vanish, and the face beyond their longest
 ///   side gets their middle corner: no point of the surface is lost or moved;
+/// - open edges whose ends nearly match become one, corners within open edges are put into them
+///   (mend_borders): these are the only points that move, by less than kWidestCrack of the diagonal
+///   or twice the precision, to where another point of the file was;
+/// - pieces that hang on other surfaces by edges of three faces, and end freely, go (drop_flaps);
 /// - faces are turned so that neighbours agree, in each connected surface the fewer;
 /// - holes are filled with triangles over their own edges (CGAL's triangulate_hole_polyline: the
-///   flattest patch): no points are made up. Holes that touch in a point are taken one by one.
+///   flattest patch): no points are made up. Holes that touch in a point are taken one by one;
+/// - surfaces that are still open, and bound nothing, go (drop_debris).
 ///
-/// Points are never moved, and never merged unless equal (the reader does that). Whether the result
-/// bounds a solid is not promised: import_solid judges it like any other. Edges with more than two
-/// faces and self-intersections stay what they are.
+/// Whether the result bounds a solid is not promised: import_solid judges it like any other. Closed
+/// surfaces that meet themselves or each other stay what they are.
 ///
 /// n log n for n face corners, and quadratic in kMostHoleEdges. Throws nothing but what memory
-/// does. REQUIRES: soup as from read_mesh.
+/// does. REQUIRES: soup as from read_mesh, with its precision.
 Repair repair(PolygonSoup soup);
 
 }  // namespace spoctree

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "server/solid/face_groups.hpp"
+#include "server/solid/keep_faces.hpp"
 #include "server/solid/soup_edges.hpp"
 
 namespace spoctree {
@@ -46,23 +47,6 @@ std::vector<std::uint32_t> find_first_copies(const PolygonSoup& soup) {
     first[order[i]] = is_copy ? first[order[i - 1]] : order[i];
   }
   return first;
-}
-
-void keep_faces(PolygonSoup& soup, const std::vector<bool>& is_kept) {
-  std::size_t end = 0;
-  std::size_t faces = 0;
-  for (std::size_t f = 0; f < soup.face_count(); ++f) {
-    const std::size_t begin = soup.first_corner[f];
-    const std::size_t size = soup.first_corner[f + 1] - begin;
-    if (!is_kept[f]) continue;
-    std::copy_n(soup.corners.begin() + static_cast<std::ptrdiff_t>(begin), size,
-                soup.corners.begin() + static_cast<std::ptrdiff_t>(end));
-    soup.first_corner[faces++] = static_cast<std::uint32_t>(end);
-    end += size;
-  }
-  soup.first_corner.resize(faces + 1);
-  soup.first_corner[faces] = static_cast<std::uint32_t>(end);
-  soup.corners.resize(end);
 }
 
 }  // namespace

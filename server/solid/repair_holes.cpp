@@ -12,9 +12,12 @@
 #include <limits>
 #include <set>
 
+#include "server/solid/face_groups.hpp"
 #include "server/solid/repair.hpp"
+#include "server/solid/repair_debris.hpp"
 #include "server/solid/repair_holes.hpp"
 #include "server/solid/soup_edges.hpp"
+#include "server/solid/soup_surfaces.hpp"
 
 namespace spoctree {
 
@@ -40,11 +43,12 @@ struct BorderEdge {
 using Patch = std::vector<std::vector<std::uint32_t>>;  // faces, as point numbers
 using Loop = std::vector<BorderEdge>;
 
-std::vector<BorderEdge> find_border(const PolygonSoup& soup) {
+std::vector<BorderEdge> find_border(const PolygonSoup& soup, std::span<const SoupSide> sides,
+                                    const SoupSurfaces& surfaces) {
   std::vector<BorderEdge> border;
-  const std::vector<SoupSide> sides = sides_by_edge(soup);
   for_each_edge(sides, [&](std::span<const SoupSide> edge) {
     if (edge.size() != 1) return;
+    if (surfaces.list[surfaces.of_face[edge[0].face]].unbalanced_edges > 0) return;
     const auto face = soup.face(edge[0].face);
     const std::size_t i = edge[0].corner - soup.first_corner[edge[0].face];
     const std::uint32_t a = face[i];
@@ -203,17 +207,58 @@ bool is_good(const Patch& patch, const Loop& loop, std::set<std::uint64_t>& edge
   return true;
 }
 
+// Of each surface, whether filling its holes would make it up rather than complete it. Surfaces
+// with a hole in common are looked at together.
+std::vector<bool> find_scraps(const SoupSurfaces& surfaces, const std::vector<Loop>& loops) {
+  FaceGroups groups(surfaces.list.size());
+  for (const Loop& loop : loops) {
+    for (const BorderEdge& edge : loop) {
+      groups.join(surfaces.of_face[loop[0].face], surfaces.of_face[edge.face]);
+    }
+  }
+  std::vector<SoupSurface> sums(surfaces.list.size());
+  double whole_area = 0;
+  for (std::uint32_t i = 0; i < surfaces.list.size(); ++i) {
+    SoupSurface& sum = sums[groups.group_of(i)];
+    sum.triangles += surfaces.list[i].triangles;
+    sum.area += surfaces.list[i].area;
+    sum.area_vector += surfaces.list[i].area_vector;
+    whole_area += surfaces.list[i].area;
+  }
+  std::vector<std::size_t> triangles_missing(surfaces.list.size(), 0);
+  for (const Loop& loop : loops) {
+    triangles_missing[groups.group_of(surfaces.of_face[loop[0].face])] += loop.size() - 2;
+  }
+  std::vector<bool> is_scrap(surfaces.list.size(), false);
+  for (std::uint32_t i = 0; i < surfaces.list.size(); ++i) {
+    const std::uint32_t group = groups.group_of(i);
+    const SoupSurface& sum = sums[group];
+    is_scrap[i] = triangles_missing[group] > 0 &&
+                  (triangles_missing[group] >= sum.triangles || sum.flatness() > kFlatPiece ||
+                   (sum.flatness() > kFlatScrap && sum.area <= kLargestDebris * whole_area));
+  }
+  return is_scrap;
+}
+
 }  // namespace
 
 FilledHoles fill_holes(PolygonSoup& soup) {
   FilledHoles holes;
-  const std::vector<BorderEdge> border = find_border(soup);
+  const std::vector<SoupSide> sides = sides_by_edge(soup);
+  const SoupSurfaces surfaces = find_surfaces(soup, sides, Connection::AnyEdge);
+  const std::vector<BorderEdge> border = find_border(soup, sides, surfaces);
   if (border.empty()) return holes;
+  const std::vector<Loop> loops = find_loops(border, soup.points.size());
+  const std::vector<bool> is_of_scrap = find_scraps(surfaces, loops);
+  holes.is_scrap.resize(soup.face_count());
+  for (std::size_t f = 0; f < soup.face_count(); ++f) {
+    holes.is_scrap[f] = is_of_scrap[surfaces.of_face[f]];
+  }
   // Edges between points of the border: a patch must not use them again.
   std::vector<bool> is_on_border(soup.points.size(), false);
   for (const BorderEdge& edge : border) is_on_border[edge.from] = true;
   std::set<std::uint64_t> edges_in_use;
-  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+  for_each_edge(sides, [&](std::span<const SoupSide> edge) {
     if (is_on_border[edge[0].low] && is_on_border[edge[0].high]) {
       edges_in_use.insert(edge_key(edge[0].low, edge[0].high));
     }
@@ -221,8 +266,12 @@ FilledHoles fill_holes(PolygonSoup& soup) {
 
   holes.whole = diagonal(soup.points);
   std::size_t squares_left = kMostHoleEdges * kMostHoleEdges;
-  for (const Loop& loop : find_loops(border, soup.points.size())) {
+  for (const Loop& loop : loops) {
     const Hole hole = describe(loop, soup);
+    if (is_of_scrap[surfaces.of_face[loop[0].face]]) {
+      holes.of_scraps.add(hole);
+      continue;
+    }
     const bool by_polygon = hole.is_flat && hole.edges > kMostFlatHoleEdges;
     const std::size_t square =
         by_polygon || hole.edges <= kFewHoleEdges ? 0 : hole.edges * hole.edges;

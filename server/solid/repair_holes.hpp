@@ -4,6 +4,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <vector>
 
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/first_found.hpp"
@@ -29,6 +30,8 @@ struct FilledHoles {
   FirstFound<Hole> too_large;   ///< not flat, and larger than kLargestHole of the whole
   FirstFound<Hole> unfillable;  ///< no patch was found, or only one that meets itself or other
                                 ///< faces in an edge that is there already
+  FirstFound<Hole> of_scraps;   ///< around surfaces that are hardly more than their border
+  std::vector<bool> is_scrap;   ///< of each face: whether it belongs to one of those
 };
 
 /// Fills every hole within the limits of repair.hpp. Each is a simple closed line: holes that touch
@@ -36,7 +39,11 @@ struct FilledHoles {
 /// get one polygon; for others, among the patches that CGAL's triangulate_hole_polyline considers
 /// (those in the Delaunay triangulation of the points, if any will do), the one with the smallest
 /// angles to its surroundings, then the smallest area. n log n, and quadratic in kMostHoleEdges.
-/// REQUIRES: faces agree about the outside (agree_on_outside), no edge has more than two of them.
+/// Surfaces with edges along which faces do not run as often up as down are passed over: there
+/// holes cannot be told from seams. So are scraps, which filling would make slivers of solids: what
+/// needs as many triangles as it has, is flat but for kFlatPiece, or is small beside the rest and
+/// flat but for kFlatScrap.
+/// REQUIRES: faces agree about the outside (agree_on_outside).
 FilledHoles fill_holes(PolygonSoup& soup);
 
 }  // namespace spoctree

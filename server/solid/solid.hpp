@@ -28,7 +28,8 @@ struct SolidReport {
                                   ///< mean plane, as a fraction of the bounding box's diagonal
   bool was_turned = false;        ///< all faces pointed inwards and were reversed
   std::size_t turned_shells = 0;  ///< reversed because of how they nest
-  std::size_t merged_points = 0;
+  std::size_t merged_points = 0;     ///< because the grid could not tell them from others
+  std::vector<std::string> settled;  ///< what the grid could not tell apart: settle_on_grid
   std::size_t planes_before_merging = 0;  ///< distinct planes with flat tolerance 0
   double largest_move = 0;  ///< of a corner onto the planes of merged faces, model units
 };

@@ -78,6 +78,17 @@ std::vector<Point2> view(Face face, const std::vector<Vec3>& vertices, int axis,
   return points;
 }
 
+// A corner that is all but in line with its neighbours must not be cut off: what way a triangle
+// faces that is so many times thinner than the others would be is chance.
+constexpr double kThinnest = 0.01;
+
+// The height of a triangle, as a fraction of its longest edge.
+double thickness(Vec3 a, Vec3 b, Vec3 c) {
+  const double longest =
+      std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
+  return glm::length(glm::cross(b - a, c - a)) / longest;
+}
+
 // Of the diagonals that lie inside, the shorter one. A quadrilateral that splits into two triangles
 // of its own orientation is simple.
 bool split_quadrilateral(const std::vector<Point2>& p, Face face, const GridMesh& mesh,
@@ -91,7 +102,18 @@ bool split_quadrilateral(const std::vector<Point2>& p, Face face, const GridMesh
   const auto length = [&](int i, int j) {
     return glm::distance(mesh.vertices[face[i]], mesh.vertices[face[j]]);
   };
-  if (can_02 && (!can_13 || length(0, 2) <= length(1, 3))) {
+  const auto thinner = [&](int i, int j, int k, int l, int m, int n) {
+    const auto at = [&](int corner) { return mesh.vertices[face[corner]]; };
+    return std::min(thickness(at(i), at(j), at(k)), thickness(at(l), at(m), at(n)));
+  };
+  bool is_02_better = length(0, 2) <= length(1, 3);
+  if (can_02 && can_13) {
+    const double by_02 = thinner(0, 1, 2, 0, 2, 3);
+    const double by_13 = thinner(0, 1, 3, 1, 2, 3);
+    if (by_02 < kThinnest * by_13) is_02_better = false;
+    if (by_13 < kThinnest * by_02) is_02_better = true;
+  }
+  if (can_02 && (!can_13 || is_02_better)) {
     triangles.push_back({face[0], face[1], face[2]});
     triangles.push_back({face[0], face[2], face[3]});
   } else {

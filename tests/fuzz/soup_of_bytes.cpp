@@ -36,7 +36,11 @@ PolygonSoup soup_of_bytes(std::string_view bytes) {
   };
   PolygonSoup soup;
   const std::size_t points = 1 + static_cast<std::size_t>(next()) % kMostPoints;
-  const int spread = next() % 4;
+  const int kinds = next();
+  const int spread = kinds % 4;
+  if (kinds / 4 % 4 == 1) soup.precision.unit = 1;
+  if (kinds / 4 % 4 == 2) soup.precision.decimal_digits = 4;
+  if (kinds / 4 % 4 == 3) soup.precision.unit = 1e-7;
   for (std::size_t i = 0; i < points; ++i) {
     glm::dvec3 point;
     for (int axis = 0; axis < 3; ++axis) {

@@ -8,9 +8,9 @@
 
 namespace spoctree {
 
-/// The first byte says how many points there are (1 to 64), the second how coordinates are spread:
-/// three bytes a point are whole numbers, or with noise below 10^-6, or with exponents of their
-/// own, middling or extreme. Then each face: a byte for its number of corners (3 to 6), a byte for
+/// The first byte says how many points there are (1 to 64), the second how coordinates are spread
+/// (three bytes a point are whole numbers, or with noise below 10^-6, or with exponents of their
+/// own, middling or extreme) and what precision the soup claims. Then each face: a byte for its number of corners (3 to 6), a byte for
 /// each. Bytes run out as zeros; faces end with the bytes. The soup is as read_mesh leaves it, but
 /// for faces that a reader would refuse, which are left out; it may have no faces.
 PolygonSoup soup_of_bytes(std::string_view bytes);
