@@ -28,6 +28,10 @@ constexpr double kDistanceRounding = 1e-12;
 /// Boxes opened for one level at most. (Nodes are opened once each.)
 constexpr std::size_t kMostBoxes = 20000;
 
+/// What may be farther than so many times what is in question by now is opened at once: hardly
+/// will anything be found that spares it, and what waits takes memory.
+constexpr double kFarBeyond = 8;
+
 /// A leaf of more planes is not divided into its pieces of material and what is between them, of
 /// which there may be as many: it is searched as it is.
 constexpr std::size_t kMostPlanesDivided = 256;
@@ -110,7 +114,6 @@ class ExcessSearch {
   double run(std::uint32_t k, const GreyRegions& regions);
 
  private:
-  using SharedPolyhedron = std::shared_ptr<const Polyhedron>;
   /// A plane of a GREY node of some level: T_k knows of it from this level on.
   struct Cut {
     std::uint32_t level;
@@ -122,19 +125,23 @@ class ExcessSearch {
     std::uint32_t level;
     Polyhedron shape;
   };
+  /// What T_k has of a node's cube, for one k after the other; or a part of the excess.
+  struct Region {
+    Polyhedron shape;
+    NodeAddress node;
+    std::uint32_t level = 0;  ///< k
+    Cuts cuts;                ///< of the GREY nodes down to this one, after `level`, in their order
+  };
   enum class Kind : std::uint8_t {
-    Node,  ///< GREY, with what T_k has of its cube
-    Leaf,  ///< the same; a box that matters as far as it is in the region and not in the solid
+    Node,  ///< GREY, with its region
+    Leaf,  ///< a box that matters as far as it is in a leaf's region and not in the solid
     Part   ///< a box that matters as far as it is in a part of the excess
   };
   struct Item {
     double bound = 0;
     Kind kind = Kind::Part;
-    std::uint32_t level = 0;      ///< k of the region
     std::uint32_t end_level = 0;  ///< T_k has nothing of this in excess from here on
-    SharedPolyhedron region;
-    NodeAddress node;
-    Cuts cuts;  ///< of the node (a GREY one) and those above it, after `level`, in their order
+    std::shared_ptr<Region> region;
     Vec3 centre{0.0};
     Vec3 half{0.0};
     bool operator<(const Item& other) const { return bound < other.bound; }
@@ -146,18 +153,19 @@ class ExcessSearch {
     return end_level > 0 && bound > threshold(end_level - 1);
   }
   void attain(double distance, std::uint32_t end_level);
+  bool take_away(std::uint32_t k, Region& region);
   bool bring_to_level(Item& item, std::uint32_t k);
   void open_node(const Item& item);
-  void open_child(const NodeAddress& child, const Item& parent, const Polyhedron& region);
-  void open_leaf(const NodeAddress& leaf, const Item& parent, Polyhedron region);
+  void open_child(const NodeAddress& child, const Item& parent, Polyhedron shape);
+  void open_leaf(Region&& of_leaf, double bound);
   void add_parts(const std::vector<Part>& parts, const std::vector<Polyhedron>& pieces,
                  double bound);
   double bound_by_pieces(const Part& part, const Extent& extent,
                          const std::vector<Polyhedron>& pieces, const std::vector<Extent>& extents,
                          double bound);
   void add_part(const Part& part, const Extent& extent, double bound);
-  void add_undivided(const NodeAddress& leaf, const Item& parent, Polyhedron region);
-  double bound_of_undivided(const Item& item);
+  void add_undivided(Region&& region, double bound);
+  double bound_of_undivided(const Region& undivided);
   double bound_of_box(const Item& box, double radius, bool centre_is_in_region);
   void open_box(const Item& item);
 
@@ -198,10 +206,8 @@ double ExcessSearch::run(std::uint32_t k, const GreyRegions& regions) {
     Item item;
     item.bound = candidate.bound;
     item.kind = Kind::Node;
-    item.level = k;
     item.end_level = k + 1;
-    item.region = std::make_shared<const Polyhedron>(candidate.region);
-    item.node = candidate.node;
+    item.region = std::make_shared<Region>(Region{candidate.region, candidate.node, k, {}});
     open_.push(std::move(item));
   }
   std::size_t boxes = 0;
@@ -221,23 +227,27 @@ double ExcessSearch::run(std::uint32_t k, const GreyRegions& regions) {
   return std::max(threshold(k), open_.empty() ? 0.0 : open_.top().bound) + kDistanceRounding;
 }
 
-/// Takes away what T_k does not have any more. False if that put the item off, or left nothing.
-bool ExcessSearch::bring_to_level(Item& item, std::uint32_t k) {
-  if (item.kind == Kind::Part || item.level >= k) return true;
-  item.level = k;
-  const auto known = std::find_if(item.cuts.begin(), item.cuts.end(),
+/// Takes away what T_k does not have of a region. False if nothing was taken.
+bool ExcessSearch::take_away(std::uint32_t k, Region& region) {
+  region.level = k;
+  const auto known = std::find_if(region.cuts.begin(), region.cuts.end(),
                                   [&](const Cut& cut) { return cut.level > k; });
-  if (known == item.cuts.begin()) return true;
-  Polyhedron region = *item.region;
-  for (auto cut = item.cuts.begin(); cut != known; ++cut) {
-    if (clipper_.clip(region, PlaneRef::of_table(cut->plane), planes_) == ClipResult::Empty) {
-      return false;
-    }
-  }
-  item.cuts.erase(item.cuts.begin(), known);
-  item.region = std::make_shared<const Polyhedron>(std::move(region));
-  if (item.kind != Kind::Node) return true;
-  const double bound = reach_of(built_, solid_, item.node, *item.region).bound;
+  if (known == region.cuts.begin()) return false;
+  const bool has_rest = std::all_of(region.cuts.begin(), known, [&](const Cut& cut) {
+    return clipper_.clip(region.shape, PlaneRef::of_table(cut.plane), planes_) != ClipResult::Empty;
+  });
+  if (!has_rest) region.shape = {};
+  region.cuts.erase(region.cuts.begin(), known);
+  return true;
+}
+
+/// False if that put the item off, or left nothing of it.
+bool ExcessSearch::bring_to_level(Item& item, std::uint32_t k) {
+  if (item.kind == Kind::Part || item.region->level >= k || !take_away(k, *item.region))
+    return true;
+  if (item.region->shape.faces.empty()) return false;
+  if (item.kind == Kind::Leaf) return true;
+  const double bound = reach_of(built_, solid_, item.region->node, item.region->shape).bound;
   if (bound >= item.bound) return true;
   item.bound = bound;
   if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
@@ -245,17 +255,17 @@ bool ExcessSearch::bring_to_level(Item& item, std::uint32_t k) {
 }
 
 void ExcessSearch::open_node(const Item& item) {
-  const NodeAddress& node = item.node;
+  const NodeAddress& node = item.region->node;
   was_opened_[node.level][node.index] = true;
   const std::uint32_t first_child = built_.tree.levels[node.level].first_child[node.index];
   const auto is_relevant = [&](std::uint32_t octant) {
     const NodeAddress child = node.child(first_child, octant);
     return built_.tree.levels[child.level].kinds[child.index] != NodeKind::Black ||
-           !item.cuts.empty();
+           !item.region->cuts.empty();
   };
   // The region halved by the three walls, one after the other.
   std::array<std::optional<Polyhedron>, 8> octants;
-  octants[0] = *item.region;
+  octants[0] = item.region->shape;
   for (std::uint32_t axis = 3; axis-- > 0;) {
     const std::uint32_t step = 1u << axis;
     const PlaneRef middle =
@@ -272,42 +282,44 @@ void ExcessSearch::open_node(const Item& item) {
   }
   for (std::uint32_t octant = 0; octant < 8; ++octant) {
     if (!octants[octant] || !is_relevant(octant)) continue;
-    open_child(node.child(first_child, octant), item, *octants[octant]);
+    open_child(node.child(first_child, octant), item, std::move(*octants[octant]));
   }
 }
 
-void ExcessSearch::open_child(const NodeAddress& child, const Item& parent,
-                              const Polyhedron& region) {
+void ExcessSearch::open_child(const NodeAddress& child, const Item& parent, Polyhedron shape) {
   const Level& level = built_.tree.levels[child.level];
+  Region region{std::move(shape), child, parent.region->level, parent.region->cuts};
   if (level.kinds[child.index] != NodeKind::Grey) {
-    open_leaf(child, parent, region);
+    open_leaf(std::move(region), parent.bound);
     return;
   }
   Item item;
   item.kind = Kind::Node;
-  item.level = parent.level;
   item.end_level = child.level;
-  item.bound = std::min(parent.bound, reach_of(built_, solid_, child, region).bound);
+  item.bound = std::min(parent.bound, reach_of(built_, solid_, child, region.shape).bound);
   if (!is_in_question(item.bound, item.end_level)) return;
-  item.region = std::make_shared<const Polyhedron>(region);
-  item.node = child;
-  item.cuts = parent.cuts;
   for (const std::uint32_t plane : level.planes_of(child.index)) {
-    item.cuts.push_back({child.level, plane});
+    region.cuts.push_back({child.level, plane});
   }
-  open_.push(std::move(item));
+  item.region = std::make_shared<Region>(std::move(region));
+  if (item.bound > kFarBeyond * threshold(parent.region->level)) {
+    open_node(item);  // as deep as the tree, at most
+  } else {
+    open_.push(std::move(item));
+  }
 }
 
 /// Divides what T_k has of a leaf's cube into pieces of material and parts of the excess.
-void ExcessSearch::open_leaf(const NodeAddress& leaf, const Item& parent, Polyhedron region) {
+void ExcessSearch::open_leaf(Region&& of_leaf, double bound) {
+  const NodeAddress leaf = of_leaf.node;
   const Level& level = built_.tree.levels[leaf.level];
   const NodeKind kind = level.kinds[leaf.index];
-  const double bound = parent.bound;
   const auto planes = level.planes_of(leaf.index);
-  if (parent.cuts.size() + planes.size() > kMostPlanesDivided) {
-    add_undivided(leaf, parent, std::move(region));
+  if (of_leaf.cuts.size() + planes.size() > kMostPlanesDivided) {
+    add_undivided(std::move(of_leaf), bound);
     return;
   }
+  Polyhedron& region = of_leaf.shape;
   std::vector<Part> parts;
   std::vector<Polyhedron> pieces;
   Polyhedron inside, outside;
@@ -318,7 +330,7 @@ void ExcessSearch::open_leaf(const NodeAddress& leaf, const Item& parent, Polyhe
     std::swap(region, inside);
     return found.inside;
   };
-  bool has_rest = std::all_of(parent.cuts.begin(), parent.cuts.end(),
+  bool has_rest = std::all_of(of_leaf.cuts.begin(), of_leaf.cuts.end(),
                               [&](const Cut& by) { return cut(by.plane, by.level); });
   if (has_rest && kind == NodeKind::White) {
     parts.push_back({leaf.level, std::move(region)});
@@ -411,47 +423,45 @@ void ExcessSearch::add_part(const Part& part, const Extent& extent, double bound
     attain(queries_.distance(vertex.position) - vertex.error, item.end_level);
   }
   if (!is_in_question(item.bound, item.end_level)) return;
-  item.region = std::make_shared<const Polyhedron>(part.shape);
+  item.region = std::make_shared<Region>();
+  item.region->shape = part.shape;
   open_.push(std::move(item));
 }
 
 /// A leaf with its material in it.
-void ExcessSearch::add_undivided(const NodeAddress& leaf, const Item& parent, Polyhedron region) {
+void ExcessSearch::add_undivided(Region&& region, double bound) {
   Item item;
   item.kind = Kind::Leaf;
-  item.level = parent.level;
-  item.end_level = leaf.level;
-  item.node = leaf;
-  item.cuts = parent.cuts;
-  const Extent extent = extent_of(region);
+  item.end_level = region.node.level;
+  const Extent extent = extent_of(region.shape);
   item.centre = extent.centre();
   item.half = 0.5 * (extent.upper - extent.lower);
-  item.region = std::make_shared<const Polyhedron>(std::move(region));
+  item.region = std::make_shared<Region>(std::move(region));
   item.bound =
-      std::min({parent.bound, bound_of_undivided(item), bound_of_box(item, extent.radius, false)});
+      std::min({bound, bound_of_undivided(*item.region), bound_of_box(item, extent.radius, false)});
   if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
 }
 
 /// Notes how far its corners are. Where the material is convex, nothing is farther from it than a
 /// corner.
-double ExcessSearch::bound_of_undivided(const Item& item) {
-  for (const PolyhedronVertex& vertex : item.region->vertices) {
+double ExcessSearch::bound_of_undivided(const Region& undivided) {
+  for (const PolyhedronVertex& vertex : undivided.shape.vertices) {
     const double distance = queries_.distance(vertex.position) - vertex.error;
-    if (distance <= attained_[item.level]) continue;
+    if (distance <= attained_[undivided.level]) continue;
     if (queries_.side_of(vertex.position) != SolidQueries::Side::In) {
-      attain(distance, item.level + 1);
+      attain(distance, undivided.level + 1);
     }
   }
-  const Level& level = built_.tree.levels[item.node.level];
-  if (level.kinds[item.node.index] != NodeKind::Convex)
-    return std::numeric_limits<double>::infinity();
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const Level& level = built_.tree.levels[undivided.node.level];
+  if (level.kinds[undivided.node.index] != NodeKind::Convex) return kUnknown;
   std::vector<std::uint32_t> planes;
-  for (const Cut& cut : item.cuts) planes.push_back(cut.plane);
-  const auto own = level.planes_of(item.node.index);
+  for (const Cut& cut : undivided.cuts) planes.push_back(cut.plane);
+  const auto own = level.planes_of(undivided.node.index);
   planes.insert(planes.end(), own.begin(), own.end());
-  Polyhedron piece = *item.region;
-  if (!many_clipper_.clip(piece, planes, planes_)) return std::numeric_limits<double>::infinity();
-  return largest_distance(corners_cut_off(*item.region, piece), piece, planes_);
+  Polyhedron piece = undivided.shape;
+  if (!many_clipper_.clip(piece, planes, planes_)) return kUnknown;
+  return largest_distance(corners_cut_off(undivided.shape, piece), piece, planes_);
 }
 
 /// Nothing in the excess within `radius` of the centre is farther from the solid. Notes how far the
@@ -462,7 +472,9 @@ double ExcessSearch::bound_of_box(const Item& box, double radius, bool centre_is
   if (box.kind == Kind::Leaf && queries_.side_of(box.centre) == SolidQueries::Side::In) {
     return std::max(0.0, radius - distance);
   }
-  if (centre_is_in_region) attain(distance, box.kind == Kind::Leaf ? box.level + 1 : box.end_level);
+  if (centre_is_in_region) {
+    attain(distance, box.kind == Kind::Leaf ? box.region->level + 1 : box.end_level);
+  }
   return distance + radius;
 }
 
@@ -474,7 +486,7 @@ void ExcessSearch::open_box(const Item& item) {
       part.centre[axis] += ((octant >> axis) & 1) ? part.half[axis] : -part.half[axis];
     }
     bool centre_is_inside = false;
-    if (!may_meet(*item.region, planes_, part.centre, part.half, centre_is_inside)) continue;
+    if (!may_meet(item.region->shape, planes_, part.centre, part.half, centre_is_inside)) continue;
     part.bound = std::min(item.bound, bound_of_box(part, glm::length(part.half), centre_is_inside));
     if (is_in_question(part.bound, part.end_level)) open_.push(std::move(part));
   }
