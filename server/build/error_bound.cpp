@@ -36,6 +36,9 @@ constexpr double kFarBeyond = 8;
 /// which there may be as many: it is searched as it is.
 constexpr std::size_t kMostPlanesDivided = 256;
 
+/// Of an undivided leaf's corners, about as many are looked at.
+constexpr std::size_t kCornersTried = 64;
+
 /// Doubles tell a point's side of a plane to better than this.
 constexpr double kSideRounding = 1e-14;
 
@@ -442,10 +445,12 @@ void ExcessSearch::add_undivided(Region&& region, double bound) {
   if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
 }
 
-/// Notes how far its corners are. Where the material is convex, nothing is farther from it than a
+/// Notes how far some of its corners are. Where the material is convex, nothing is farther from it than a
 /// corner.
 double ExcessSearch::bound_of_undivided(const Region& undivided) {
-  for (const PolyhedronVertex& vertex : undivided.shape.vertices) {
+  const std::size_t stride = undivided.shape.vertices.size() / kCornersTried + 1;
+  for (std::size_t i = 0; i < undivided.shape.vertices.size(); i += stride) {
+    const PolyhedronVertex& vertex = undivided.shape.vertices[i];
     const double distance = queries_.distance(vertex.position) - vertex.error;
     if (distance <= attained_[undivided.level]) continue;
     if (queries_.side_of(vertex.position) != SolidQueries::Side::In) {
