@@ -34,7 +34,7 @@ constexpr double kFarBeyond = 8;
 
 /// A leaf of more planes is not divided into its pieces of material and what is between them, of
 /// which there may be as many: it is searched as it is.
-constexpr std::size_t kMostPlanesDivided = 256;
+constexpr std::size_t kMostPlanesDivided = 1024;
 
 /// Of an undivided leaf's corners, about as many are looked at.
 constexpr std::size_t kCornersTried = 64;
