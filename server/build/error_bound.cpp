@@ -36,6 +36,9 @@ constexpr double kFarBeyond = 8;
 /// which there may be as many: it is searched as it is.
 constexpr std::size_t kMostPlanesDivided = 1024;
 
+/// Of a leaf's pieces of material, so many at most are tried for each part beside them.
+constexpr std::size_t kPiecesTried = 16;
+
 /// Of an undivided leaf's corners, about as many are looked at.
 constexpr std::size_t kCornersTried = 64;
 
@@ -75,12 +78,11 @@ Polyhedron corners_cut_off(const Polyhedron& region, const Polyhedron& piece) {
   return cut_off;
 }
 
-/// A box around some points, and how far these are from its centre at most.
+/// A box around some points.
 struct Extent {
   Vec3 lower{0.0};
   Vec3 upper{0.0};
   Vec3 mean{0.0};  ///< of the points: in any convex set that has them
-  double radius = 0;
 
   Vec3 centre() const { return 0.5 * (lower + upper); }
 };
@@ -94,10 +96,6 @@ Extent extent_of(const Polyhedron& part) {
     extent.mean += vertex.position;
   }
   extent.mean /= static_cast<double>(part.vertices.size());
-  for (const PolyhedronVertex& vertex : part.vertices) {
-    extent.radius =
-        std::max(extent.radius, glm::distance(extent.centre(), vertex.position) + vertex.error);
-  }
   return extent;
 }
 
@@ -169,7 +167,7 @@ class ExcessSearch {
   void add_part(const Part& part, const Extent& extent, double bound);
   void add_undivided(Region&& region, double bound);
   double bound_of_undivided(const Region& undivided);
-  double bound_of_box(const Item& box, double radius, bool centre_is_in_region);
+  double bound_of_box(const Item& box, bool centre_is_in_region);
   void open_box(const Item& item);
 
   const BuiltOctree& built_;
@@ -181,7 +179,7 @@ class ExcessSearch {
   std::priority_queue<Item> open_;
   std::vector<double> attained_;               // by each level, no less than by those after it
   std::vector<std::vector<bool>> was_opened_;  // nodes, of each level
-  std::vector<std::pair<double, std::size_t>> nearest_pieces_;  // scratch
+  std::vector<std::tuple<double, double, std::size_t>> nearest_pieces_;  // scratch
 };
 
 ExcessSearch::ExcessSearch(const BuiltOctree& built, const Solid& solid,
@@ -401,15 +399,16 @@ double ExcessSearch::bound_by_pieces(const Part& part, const Extent& extent,
                                      const std::vector<Extent>& extents, double bound) {
   nearest_pieces_.clear();
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    nearest_pieces_.emplace_back(-distance_to_box(extent.mean, extents[i]), i);
+    nearest_pieces_.push_back(
+        {distance_to_box(extent.mean, extents[i]), glm::distance(extent.mean, extents[i].mean), i});
   }
-  std::make_heap(nearest_pieces_.begin(), nearest_pieces_.end());
-  while (!nearest_pieces_.empty() && -nearest_pieces_.front().first < bound &&
-         is_in_question(bound, part.level)) {
-    bound = std::min(bound,
-                     largest_distance(part.shape, pieces[nearest_pieces_.front().second], planes_));
-    std::pop_heap(nearest_pieces_.begin(), nearest_pieces_.end());
-    nearest_pieces_.pop_back();
+  const std::size_t tried = std::min(nearest_pieces_.size(), kPiecesTried);
+  const auto end = nearest_pieces_.begin() + static_cast<std::ptrdiff_t>(tried);
+  std::partial_sort(nearest_pieces_.begin(), end, nearest_pieces_.end());
+  for (auto near = nearest_pieces_.begin(); near != end; ++near) {
+    const auto& [to_box, to_middle, piece] = *near;
+    if (to_box >= bound || !is_in_question(bound, part.level)) break;
+    bound = std::min(bound, largest_distance(part.shape, pieces[piece], planes_));
   }
   return bound;
 }
@@ -420,7 +419,14 @@ void ExcessSearch::add_part(const Part& part, const Extent& extent, double bound
   item.end_level = part.level;
   item.centre = extent.centre();
   item.half = 0.5 * (extent.upper - extent.lower);
-  item.bound = std::min(bound, queries_.distance(item.centre) + extent.radius);
+  // Nothing in a convex part is farther from a triangle than a corner.
+  const std::uint32_t nearest = queries_.nearest(item.centre).triangle;
+  double farthest = 0;
+  for (const PolyhedronVertex& vertex : part.shape.vertices) {
+    farthest = std::max(farthest, queries_.distance_to(nearest, vertex.position) + vertex.error);
+    if (farthest >= bound) break;
+  }
+  item.bound = std::min(bound, farthest);
   if (!is_in_question(item.bound, item.end_level)) return;
   for (const PolyhedronVertex& vertex : part.shape.vertices) {
     attain(queries_.distance(vertex.position) - vertex.error, item.end_level);
@@ -440,13 +446,12 @@ void ExcessSearch::add_undivided(Region&& region, double bound) {
   item.centre = extent.centre();
   item.half = 0.5 * (extent.upper - extent.lower);
   item.region = std::make_shared<Region>(std::move(region));
-  item.bound =
-      std::min({bound, bound_of_undivided(*item.region), bound_of_box(item, extent.radius, false)});
+  item.bound = std::min({bound, bound_of_undivided(*item.region), bound_of_box(item, false)});
   if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
 }
 
-/// Notes how far some of its corners are. Where the material is convex, nothing is farther from it than a
-/// corner.
+/// Notes how far some of its corners are. Where the material is convex, nothing is farther from it
+/// than a corner.
 double ExcessSearch::bound_of_undivided(const Region& undivided) {
   const std::size_t stride = undivided.shape.vertices.size() / kCornersTried + 1;
   for (std::size_t i = 0; i < undivided.shape.vertices.size(); i += stride) {
@@ -469,18 +474,27 @@ double ExcessSearch::bound_of_undivided(const Region& undivided) {
   return largest_distance(corners_cut_off(undivided.shape, piece), piece, planes_);
 }
 
-/// Nothing in the excess within `radius` of the centre is farther from the solid. Notes how far the
-/// centre is, if it belongs to the excess.
-double ExcessSearch::bound_of_box(const Item& box, double radius, bool centre_is_in_region) {
-  const double distance = queries_.distance(box.centre);
+/// Nothing in the excess and the box is farther from the solid: not than the farthest corner of the
+/// box from the triangle nearest to its centre. Notes how far the centre is, if it belongs to the
+/// excess.
+double ExcessSearch::bound_of_box(const Item& box, bool centre_is_in_region) {
+  const auto [distance, triangle] = queries_.nearest(box.centre);
   // From material, the way to what is beyond it leads through the boundary.
   if (box.kind == Kind::Leaf && queries_.side_of(box.centre) == SolidQueries::Side::In) {
-    return std::max(0.0, radius - distance);
+    return std::max(0.0, glm::length(box.half) - distance);
   }
   if (centre_is_in_region) {
     attain(distance, box.kind == Kind::Leaf ? box.region->level + 1 : box.end_level);
   }
-  return distance + radius;
+  double farthest = 0;
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    Vec3 corner = box.centre;
+    for (int axis = 0; axis < 3; ++axis) {
+      corner[axis] += ((octant >> axis) & 1) ? box.half[axis] : -box.half[axis];
+    }
+    farthest = std::max(farthest, queries_.distance_to(triangle, corner));
+  }
+  return farthest;
 }
 
 void ExcessSearch::open_box(const Item& item) {
@@ -492,7 +506,7 @@ void ExcessSearch::open_box(const Item& item) {
     }
     bool centre_is_inside = false;
     if (!may_meet(item.region->shape, planes_, part.centre, part.half, centre_is_inside)) continue;
-    part.bound = std::min(item.bound, bound_of_box(part, glm::length(part.half), centre_is_inside));
+    part.bound = std::min(item.bound, bound_of_box(part, centre_is_inside));
     if (is_in_question(part.bound, part.end_level)) open_.push(std::move(part));
   }
 }
