@@ -5,6 +5,7 @@ Coordinates are rounded to single precision: what was flat, or one turned face, 
 
 import math
 import struct
+import sys
 
 
 def lathe(profile, sides):
@@ -133,3 +134,16 @@ def write_stl(path, points, triangles):
         out.write(bytes(80) + struct.pack("<I", len(triangles)))
         for a, b, c in triangles:
             out.write(bytes(12) + packed[a] + packed[b] + packed[c] + bytes(2))
+
+
+def main():
+    """families.py NAME SIZE FILE.stl; prints the number of faces."""
+    name, size, path = sys.argv[1:]
+    make = next(make for family, make, _, _ in FAMILIES if family == name)
+    points, triangles = make(int(size))
+    write_stl(path, points, triangles)
+    print(len(triangles))
+
+
+if __name__ == "__main__":
+    main()
