@@ -95,12 +95,8 @@ void certify(BuiltOctree& built, const Solid& solid, const SolidQueries& queries
   ProgressMeter progress(report);
   progress.add(0);
   const std::vector<GreyRegions> regions = survey(built, solid, queries, progress);
-  std::vector<double> bounds(regions.size(), 0.0);
-  parallel_for(regions.size(), [&](std::size_t k) {
-    if (built.tree.levels[k].grey_count > 0)
-      bounds[k] = error_bound(regions[k], built, solid, queries);
-    progress.add((1 - kSurveyShare) / static_cast<double>(regions.size()));
-  });
+  const std::vector<double> bounds = error_bounds(regions, built, solid, queries);
+  progress.add(1 - kSurveyShare);
 
   const double unit = built.tree.universe.scale();
   const double unit_volume = unit * unit * unit;

@@ -14,6 +14,9 @@ namespace {
 /// and of the way to the point.
 constexpr double kSideRounding = 0x1p-49;
 
+/// Doubles tell a point's side of a plane to better than this.
+constexpr double kPlaneRounding = 1e-14;
+
 double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
   const Vec3 way = b - a;
   const double squared = glm::dot(way, way);
@@ -21,14 +24,18 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
   return glm::distance(p, a + t * way);
 }
 
-/// The distance of a point from a convex polyhedron's boundary, up to the errors of its vertices:
-/// the nearest point is below the point in a face, or on an edge. A point is taken to be over a
-/// face only if it is for certain: faces may be so narrow, or so small, that their corners are the
-/// same doubles, and then every point of the plane would seem to be over them.
-double distance_to_boundary(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
+/// The distance of a point from a convex polyhedron, up to the errors of its vertices: the nearest
+/// point is in a face that the point is beyond, below the point or on an edge. A point is taken to
+/// be over a face only if it is for certain: faces may be so narrow, or so small, that their
+/// corners are the same doubles, and then every point of the plane would seem to be over them.
+double distance_to(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
   double least = std::numeric_limits<double>::infinity();
+  bool is_inside = true;
   for (const Polyhedron::Face& face : piece.faces) {
     const Plane plane = planes[face.plane];
+    const double height = glm::dot(plane.normal, p) - plane.offset;
+    if (height < -kPlaneRounding) continue;
+    is_inside = false;
     const auto loop = piece.loop(face);
     bool is_over_face = true;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -42,10 +49,10 @@ double distance_to_boundary(const Polyhedron& piece, const PlaneSet& planes, Vec
       if (side <= 0 || side * side <= rounding * glm::dot(way, way)) is_over_face = false;
     }
     if (is_over_face) {
-      least = std::min(least, std::abs(glm::dot(plane.normal, p) - plane.offset));
+      least = std::min(least, std::abs(height));
     }
   }
-  return least;
+  return is_inside ? 0 : least;
 }
 
 }  // namespace
@@ -57,8 +64,8 @@ double largest_distance(const Polyhedron& part, const Polyhedron& piece, const P
   }
   double largest = 0;
   for (const PolyhedronVertex& vertex : part.vertices) {
-    largest = std::max(largest, distance_to_boundary(piece, planes, vertex.position) +
-                                    2 * (vertex.error + piece_error));
+    largest = std::max(
+        largest, distance_to(piece, planes, vertex.position) + 2 * (vertex.error + piece_error));
   }
   return largest;
 }

@@ -1,9 +1,12 @@
 #include "server/build/error_bound.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <queue>
 #include <tuple>
 #include <utility>
@@ -22,12 +25,22 @@ namespace {
 /// Distances are computed to better than this; it is added to every bound (universe units).
 constexpr double kDistanceRounding = 1e-12;
 
-/// Nodes and boxes opened for one level at most.
-constexpr std::size_t kMostSteps = 20000;
+/// Boxes opened for one level at most. (Nodes are opened once each.)
+constexpr std::size_t kMostBoxes = 20000;
+
+/// What may be farther than so many times what is in question by now is opened at once: hardly
+/// will anything be found that spares it, and what waits takes memory.
+constexpr double kFarBeyond = 8;
 
 /// A leaf of more planes is not divided into its pieces of material and what is between them, of
 /// which there may be as many: it is searched as it is.
-constexpr std::size_t kMostPlanesDivided = 256;
+constexpr std::size_t kMostPlanesDivided = 1024;
+
+/// Of a leaf's pieces of material, so many at most are tried for each part beside them.
+constexpr std::size_t kPiecesTried = 16;
+
+/// Of an undivided leaf's corners, about as many are looked at.
+constexpr std::size_t kCornersTried = 64;
 
 /// Doubles tell a point's side of a plane to better than this.
 constexpr double kSideRounding = 1e-14;
@@ -65,50 +78,96 @@ Polyhedron corners_cut_off(const Polyhedron& region, const Polyhedron& piece) {
   return cut_off;
 }
 
-/// A best-first search for the point of T_k that is farthest from the solid.
+/// A box around some points.
+struct Extent {
+  Vec3 lower{0.0};
+  Vec3 upper{0.0};
+  Vec3 mean{0.0};  ///< of the points: in any convex set that has them
+
+  Vec3 centre() const { return 0.5 * (lower + upper); }
+};
+
+Extent extent_of(const Polyhedron& part) {
+  Extent extent;
+  extent.lower = extent.upper = part.vertices.front().position;
+  for (const PolyhedronVertex& vertex : part.vertices) {
+    extent.lower = glm::min(extent.lower, vertex.position);
+    extent.upper = glm::max(extent.upper, vertex.position);
+    extent.mean += vertex.position;
+  }
+  extent.mean /= static_cast<double>(part.vertices.size());
+  return extent;
+}
+
+/// No point of the box is nearer.
+double distance_to_box(Vec3 point, const Extent& box) {
+  return glm::distance(point, glm::clamp(point, box.lower, box.upper));
+}
+
+/// A best-first search for the points of T_k, for one k after the other, that are farthest from the
+/// solid.
 class ExcessSearch {
  public:
   ExcessSearch(const BuiltOctree& built, const Solid& solid, const SolidQueries& queries,
-               double attained)
-      : built_(built),
-        solid_(solid),
-        queries_(queries),
-        planes_(built.tree.plane_set()),
-        attained_(attained) {}
+               std::span<const GreyRegions> regions);
 
-  /// A GREY node of T_k, with its region.
-  void add_node(const NodeAddress& grey_node, const Polyhedron& region, double bound);
-  /// Nothing in the nodes added is farther from the solid.
-  double run();
+  /// Nothing in the regions of level k, the next one, is farther from the solid.
+  double run(std::uint32_t k, const GreyRegions& regions);
 
  private:
-  using SharedPolyhedron = std::shared_ptr<const Polyhedron>;
-  using Planes = std::vector<std::uint32_t>;
-  /// A GREY node and what T_k has of its cube, or a box that matters as far as it is in a part of
-  /// the excess.
+  /// A plane of a GREY node of some level: T_k knows of it from this level on.
+  struct Cut {
+    std::uint32_t level;
+    std::uint32_t plane;
+  };
+  using Cuts = std::vector<Cut>;
+  /// What a plane or a leaf of some level takes away.
+  struct Part {
+    std::uint32_t level;
+    Polyhedron shape;
+  };
+  /// What T_k has of a node's cube, for one k after the other; or a part of the excess.
+  struct Region {
+    Polyhedron shape;
+    NodeAddress node;
+    std::uint32_t level = 0;  ///< k
+    Cuts cuts;                ///< of the GREY nodes down to this one, after `level`, in their order
+  };
+  enum class Kind : std::uint8_t {
+    Node,  ///< GREY, with its region
+    Leaf,  ///< a box that matters as far as it is in a leaf's region and not in the solid
+    Part   ///< a box that matters as far as it is in a part of the excess
+  };
   struct Item {
     double bound = 0;
-    SharedPolyhedron region;
-    bool is_node = false;
-    NodeAddress node;
-    Planes cuts;  ///< of the node and those above it, up to level k: T_k does not know of them
+    Kind kind = Kind::Part;
+    std::uint32_t end_level = 0;  ///< T_k has nothing of this in excess from here on
+    std::shared_ptr<Region> region;
     Vec3 centre{0.0};
     Vec3 half{0.0};
-    bool has_material = false;  ///< in the region, whose excess is what is not inside the solid
     bool operator<(const Item& other) const { return bound < other.bound; }
   };
 
-  bool is_in_question(double bound) const { return bound > kErrorBoundRatio * attained_; }
+  double threshold(std::uint32_t level) const { return kErrorBoundRatio * attained_[level]; }
+  /// For the last level that it is in excess of: that has attained the least.
+  bool is_in_question(double bound, std::uint32_t end_level) const {
+    return end_level > 0 && bound > threshold(end_level - 1);
+  }
+  void attain(double distance, std::uint32_t end_level);
+  bool take_away(std::uint32_t k, Region& region);
+  bool bring_to_level(Item& item, std::uint32_t k);
   void open_node(const Item& item);
-  void open_child(const NodeAddress& child, const Item& parent, Polyhedron region);
-  void open_leaf(const NodeAddress& leaf, const Planes& cuts, double bound, Polyhedron region);
-  void add_parts(const std::vector<Polyhedron>& parts, const std::vector<Polyhedron>& pieces,
+  void open_child(const NodeAddress& child, const Item& parent, Polyhedron shape);
+  void open_leaf(Region&& of_leaf, double bound);
+  void add_parts(const std::vector<Part>& parts, const std::vector<Polyhedron>& pieces,
                  double bound);
-  void add_part(const Polyhedron& part, double bound);
-  void add_undivided(const NodeAddress& leaf, const Planes& cuts, double bound,
-                     const Polyhedron& region);
-  static double set_box(Item& item, const Polyhedron& part);
-  double bound_of_box(const Item& box, double radius, bool centre_is_in_region);
+  double bound_by_pieces(const Part& part, const Extent& extent,
+                         const std::vector<Polyhedron>& pieces, const std::vector<Extent>& extents,
+                         double bound);
+  void add_part(const Part& part, const Extent& extent, double bound);
+  void add_undivided(Region&& region, double bound);
+  double bound_of_undivided(const Region& undivided);
+  double bound_of_box(const Item& box, bool centre_is_in_region);
   void open_box(const Item& item);
 
   const BuiltOctree& built_;
@@ -118,96 +177,169 @@ class ExcessSearch {
   PolyhedronClipper clipper_;
   HalfSpaceClipper many_clipper_;
   std::priority_queue<Item> open_;
-  double attained_;
+  std::vector<double> attained_;               // by each level, no less than by those after it
+  std::vector<std::vector<bool>> was_opened_;  // nodes, of each level
+  std::vector<std::tuple<double, double, std::size_t>> nearest_pieces_;  // scratch
 };
 
-void ExcessSearch::add_node(const NodeAddress& grey_node, const Polyhedron& region, double bound) {
-  Item item;
-  item.bound = bound;
-  item.region = std::make_shared<const Polyhedron>(region);
-  item.is_node = true;
-  item.node = grey_node;
-  open_.push(std::move(item));
+ExcessSearch::ExcessSearch(const BuiltOctree& built, const Solid& solid,
+                           const SolidQueries& queries, std::span<const GreyRegions> regions)
+    : built_(built),
+      solid_(solid),
+      queries_(queries),
+      planes_(built.tree.plane_set()),
+      attained_(regions.size(), 0.0) {
+  for (std::uint32_t k = 0; k < regions.size(); ++k) attain(regions[k].attained, k + 1);
+  for (const Level& level : built.tree.levels) was_opened_.emplace_back(level.kinds.size(), false);
 }
 
-double ExcessSearch::run() {
-  for (std::size_t steps = 0; steps < kMostSteps && !open_.empty(); ++steps) {
-    const Item item = open_.top();
-    if (!is_in_question(item.bound)) break;
+void ExcessSearch::attain(double distance, std::uint32_t end_level) {
+  for (std::uint32_t k = end_level; k > 0 && attained_[k - 1] < distance; --k) {
+    attained_[k - 1] = distance;
+  }
+}
+
+double ExcessSearch::run(std::uint32_t k, const GreyRegions& regions) {
+  for (const GreyRegions::Candidate& candidate : regions.candidates) {
+    // What was opened for a level before is still at hand.
+    if (was_opened_[candidate.node.level][candidate.node.index]) continue;
+    if (candidate.bound <= threshold(k)) continue;
+    Item item;
+    item.bound = candidate.bound;
+    item.kind = Kind::Node;
+    item.end_level = k + 1;
+    item.region = std::make_shared<Region>(Region{candidate.region, candidate.node, k, {}});
+    open_.push(std::move(item));
+  }
+  std::size_t boxes = 0;
+  while (!open_.empty() && open_.top().bound > threshold(k)) {
+    if (open_.top().kind != Kind::Node && boxes == kMostBoxes) break;
+    Item item = open_.top();
     open_.pop();
-    if (item.is_node) {
+    if (item.end_level <= k) continue;  // a node of this level is a candidate itself
+    if (!bring_to_level(item, k)) continue;
+    if (item.kind == Kind::Node) {
       open_node(item);
     } else {
       open_box(item);
+      ++boxes;
     }
   }
-  return std::max(kErrorBoundRatio * attained_, open_.empty() ? 0.0 : open_.top().bound) +
-         kDistanceRounding;
+  return std::max(threshold(k), open_.empty() ? 0.0 : open_.top().bound) + kDistanceRounding;
+}
+
+/// Takes away what T_k does not have of a region. False if nothing was taken.
+bool ExcessSearch::take_away(std::uint32_t k, Region& region) {
+  region.level = k;
+  const auto known = std::find_if(region.cuts.begin(), region.cuts.end(),
+                                  [&](const Cut& cut) { return cut.level > k; });
+  if (known == region.cuts.begin()) return false;
+  const bool has_rest = std::all_of(region.cuts.begin(), known, [&](const Cut& cut) {
+    return clipper_.clip(region.shape, PlaneRef::of_table(cut.plane), planes_) != ClipResult::Empty;
+  });
+  if (!has_rest) region.shape = {};
+  region.cuts.erase(region.cuts.begin(), known);
+  return true;
+}
+
+/// False if that put the item off, or left nothing of it.
+bool ExcessSearch::bring_to_level(Item& item, std::uint32_t k) {
+  if (item.kind == Kind::Part || item.region->level >= k || !take_away(k, *item.region))
+    return true;
+  if (item.region->shape.faces.empty()) return false;
+  if (item.kind == Kind::Leaf) return true;
+  const double bound = reach_of(built_, solid_, item.region->node, item.region->shape).bound;
+  if (bound >= item.bound) return true;
+  item.bound = bound;
+  if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
+  return false;
 }
 
 void ExcessSearch::open_node(const Item& item) {
-  const NodeAddress& node = item.node;
+  const NodeAddress& node = item.region->node;
+  was_opened_[node.level][node.index] = true;
   const std::uint32_t first_child = built_.tree.levels[node.level].first_child[node.index];
-  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+  const auto is_relevant = [&](std::uint32_t octant) {
     const NodeAddress child = node.child(first_child, octant);
-    const NodeKind kind = built_.tree.levels[child.level].kinds[child.index];
-    if (kind == NodeKind::Black && item.cuts.empty()) continue;
-    Polyhedron region = *item.region;
-    bool has_interior = true;
-    for (int axis = 0; axis < 3 && has_interior; ++axis) {
-      const PlaneRef middle = PlaneRef::of_wall(axis, node.lower[axis] + node.size() / 2);
-      const bool is_upper = ((octant >> axis) & 1) != 0;
-      has_interior =
-          clipper_.clip(region, is_upper ? middle.flipped() : middle, planes_) != ClipResult::Empty;
+    return built_.tree.levels[child.level].kinds[child.index] != NodeKind::Black ||
+           !item.region->cuts.empty();
+  };
+  // The region halved by the three walls, one after the other.
+  std::array<std::optional<Polyhedron>, 8> octants;
+  octants[0] = item.region->shape;
+  for (std::uint32_t axis = 3; axis-- > 0;) {
+    const std::uint32_t step = 1u << axis;
+    const PlaneRef middle =
+        PlaneRef::of_wall(static_cast<int>(axis), node.lower[axis] + node.size() / 2);
+    for (std::uint32_t octant = 0; octant < 8; octant += 2 * step) {
+      if (!octants[octant]) continue;
+      Polyhedron lower;
+      Polyhedron upper;
+      const auto found = clipper_.split(*octants[octant], middle, planes_, lower, upper);
+      octants[octant].reset();
+      if (found.inside) octants[octant] = std::move(lower);
+      if (found.outside) octants[octant + step] = std::move(upper);
     }
-    if (has_interior) open_child(child, item, std::move(region));
+  }
+  for (std::uint32_t octant = 0; octant < 8; ++octant) {
+    if (!octants[octant] || !is_relevant(octant)) continue;
+    open_child(node.child(first_child, octant), item, std::move(*octants[octant]));
   }
 }
 
-void ExcessSearch::open_child(const NodeAddress& child, const Item& parent, Polyhedron region) {
+void ExcessSearch::open_child(const NodeAddress& child, const Item& parent, Polyhedron shape) {
   const Level& level = built_.tree.levels[child.level];
+  Region region{std::move(shape), child, parent.region->level, parent.region->cuts};
   if (level.kinds[child.index] != NodeKind::Grey) {
-    open_leaf(child, parent.cuts, parent.bound, std::move(region));
+    open_leaf(std::move(region), parent.bound);
     return;
   }
   Item item;
-  item.bound = std::min(parent.bound, reach_of(built_, solid_, child, region).bound);
-  if (!is_in_question(item.bound)) return;
-  item.region = std::make_shared<const Polyhedron>(std::move(region));
-  item.is_node = true;
-  item.node = child;
-  item.cuts = parent.cuts;
-  const auto planes = level.planes_of(child.index);
-  item.cuts.insert(item.cuts.end(), planes.begin(), planes.end());
-  open_.push(std::move(item));
+  item.kind = Kind::Node;
+  item.end_level = child.level;
+  item.bound = std::min(parent.bound, reach_of(built_, solid_, child, region.shape).bound);
+  if (!is_in_question(item.bound, item.end_level)) return;
+  for (const std::uint32_t plane : level.planes_of(child.index)) {
+    region.cuts.push_back({child.level, plane});
+  }
+  item.region = std::make_shared<Region>(std::move(region));
+  if (item.bound > kFarBeyond * threshold(parent.region->level)) {
+    open_node(item);  // as deep as the tree, at most
+  } else {
+    open_.push(std::move(item));
+  }
 }
 
 /// Divides what T_k has of a leaf's cube into pieces of material and parts of the excess.
-void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double bound,
-                             Polyhedron region) {
+void ExcessSearch::open_leaf(Region&& of_leaf, double bound) {
+  const NodeAddress leaf = of_leaf.node;
   const Level& level = built_.tree.levels[leaf.level];
   const NodeKind kind = level.kinds[leaf.index];
-  if (kind == NodeKind::White) {
-    add_part(region, bound);
-    return;
-  }
   const auto planes = level.planes_of(leaf.index);
-  if (cuts.size() + planes.size() > kMostPlanesDivided) {
-    add_undivided(leaf, cuts, bound, region);
+  if (of_leaf.cuts.size() + planes.size() > kMostPlanesDivided) {
+    add_undivided(std::move(of_leaf), bound);
     return;
   }
-  std::vector<Polyhedron> parts, pieces;
+  Polyhedron& region = of_leaf.shape;
+  std::vector<Part> parts;
+  std::vector<Polyhedron> pieces;
   Polyhedron inside, outside;
   // What is left of the region within the half-space.
-  const auto cut = [&](std::uint32_t plane) {
+  const auto cut = [&](std::uint32_t plane, std::uint32_t of_level) {
     const auto found = clipper_.split(region, PlaneRef::of_table(plane), planes_, inside, outside);
-    if (found.outside) parts.push_back(outside);
+    if (found.outside) parts.push_back({of_level, outside});
     std::swap(region, inside);
     return found.inside;
   };
-  bool has_rest = std::all_of(cuts.begin(), cuts.end(), cut);
+  bool has_rest = std::all_of(of_leaf.cuts.begin(), of_leaf.cuts.end(),
+                              [&](const Cut& by) { return cut(by.plane, by.level); });
+  if (has_rest && kind == NodeKind::White) {
+    parts.push_back({leaf.level, std::move(region)});
+    has_rest = false;
+  }
   if (kind == NodeKind::Convex) {
-    has_rest = has_rest && std::all_of(planes.begin(), planes.end(), cut);
+    has_rest = has_rest && std::all_of(planes.begin(), planes.end(),
+                                       [&](std::uint32_t plane) { return cut(plane, leaf.level); });
   }
   if (!has_rest) {
     add_parts(parts, pieces, bound);
@@ -230,8 +362,12 @@ void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double
   while (!open.empty()) {
     auto [cell, token] = std::move(open.back());
     open.pop_back();
+    if (*token == kInToken) {
+      pieces.push_back(std::move(cell));
+      continue;
+    }
     if (*token < kFirstPlaneToken) {
-      (*token == kInToken ? pieces : parts).push_back(std::move(cell));
+      parts.push_back({leaf.level, std::move(cell)});
       continue;
     }
     const PlaneRef plane = PlaneRef::of_table(planes[*token - kFirstPlaneToken]);
@@ -243,85 +379,122 @@ void ExcessSearch::open_leaf(const NodeAddress& leaf, const Planes& cuts, double
 }
 
 /// Parts beside pieces of material, which they may cover as thin sheets.
-void ExcessSearch::add_parts(const std::vector<Polyhedron>& parts,
-                             const std::vector<Polyhedron>& pieces, double bound) {
-  for (const Polyhedron& part : parts) {
-    double least = bound;
-    for (const Polyhedron& piece : pieces) {
-      if (!is_in_question(least)) break;
-      least = std::min(least, largest_distance(part, piece, planes_));
-    }
-    if (is_in_question(least)) add_part(part, least);
+void ExcessSearch::add_parts(const std::vector<Part>& parts, const std::vector<Polyhedron>& pieces,
+                             double bound) {
+  std::vector<Extent> extents;
+  for (const Polyhedron& piece : pieces) extents.push_back(extent_of(piece));
+  for (const Part& part : parts) {
+    if (!is_in_question(bound, part.level)) continue;
+    const Extent extent = extent_of(part.shape);
+    const double least = bound_by_pieces(part, extent, pieces, extents, bound);
+    if (is_in_question(least, part.level)) add_part(part, extent, least);
   }
 }
 
-/// The smallest box around a polyhedron, and how far its corners are from the centre at most.
-double ExcessSearch::set_box(Item& item, const Polyhedron& part) {
-  Vec3 lower = part.vertices.front().position;
-  Vec3 upper = lower;
-  for (const PolyhedronVertex& vertex : part.vertices) {
-    lower = glm::min(lower, vertex.position);
-    upper = glm::max(upper, vertex.position);
+/// The bound by that piece which gives the best, unless any puts the part out of question. The
+/// nearest come first: where not even some point of the part is nearer to a piece's box than the
+/// bound, none of the others can help.
+double ExcessSearch::bound_by_pieces(const Part& part, const Extent& extent,
+                                     const std::vector<Polyhedron>& pieces,
+                                     const std::vector<Extent>& extents, double bound) {
+  nearest_pieces_.clear();
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    nearest_pieces_.push_back(
+        {distance_to_box(extent.mean, extents[i]), glm::distance(extent.mean, extents[i].mean), i});
   }
-  item.centre = 0.5 * (lower + upper);
-  item.half = 0.5 * (upper - lower);
-  double radius = 0;
-  for (const PolyhedronVertex& vertex : part.vertices) {
-    radius = std::max(radius, glm::distance(item.centre, vertex.position) + vertex.error);
+  const std::size_t tried = std::min(nearest_pieces_.size(), kPiecesTried);
+  const auto end = nearest_pieces_.begin() + static_cast<std::ptrdiff_t>(tried);
+  std::partial_sort(nearest_pieces_.begin(), end, nearest_pieces_.end());
+  for (auto near = nearest_pieces_.begin(); near != end; ++near) {
+    const auto& [to_box, to_middle, piece] = *near;
+    if (to_box >= bound || !is_in_question(bound, part.level)) break;
+    bound = std::min(bound, largest_distance(part.shape, pieces[piece], planes_));
   }
-  return radius;
+  return bound;
 }
 
-void ExcessSearch::add_part(const Polyhedron& part, double bound) {
+void ExcessSearch::add_part(const Part& part, const Extent& extent, double bound) {
   Item item;
-  const double radius = set_box(item, part);
-  item.bound = std::min(bound, queries_.distance(item.centre) + radius);
-  if (!is_in_question(item.bound)) return;
-  for (const PolyhedronVertex& vertex : part.vertices) {
-    attained_ = std::max(attained_, queries_.distance(vertex.position) - vertex.error);
+  item.kind = Kind::Part;
+  item.end_level = part.level;
+  item.centre = extent.centre();
+  item.half = 0.5 * (extent.upper - extent.lower);
+  // Nothing in a convex part is farther from a triangle than a corner.
+  const std::uint32_t nearest = queries_.nearest(item.centre).triangle;
+  double farthest = 0;
+  for (const PolyhedronVertex& vertex : part.shape.vertices) {
+    farthest = std::max(farthest, queries_.distance_to(nearest, vertex.position) + vertex.error);
+    if (farthest >= bound) break;
   }
-  if (!is_in_question(item.bound)) return;
-  item.region = std::make_shared<const Polyhedron>(part);
+  item.bound = std::min(bound, farthest);
+  if (!is_in_question(item.bound, item.end_level)) return;
+  for (const PolyhedronVertex& vertex : part.shape.vertices) {
+    attain(queries_.distance(vertex.position) - vertex.error, item.end_level);
+  }
+  if (!is_in_question(item.bound, item.end_level)) return;
+  item.region = std::make_shared<Region>();
+  item.region->shape = part.shape;
   open_.push(std::move(item));
 }
 
-/// A leaf with its material in it. Where that is convex, nothing is farther from it than a corner.
-void ExcessSearch::add_undivided(const NodeAddress& leaf, const Planes& cuts, double bound,
-                                 const Polyhedron& region) {
-  for (const PolyhedronVertex& vertex : region.vertices) {
+/// A leaf with its material in it.
+void ExcessSearch::add_undivided(Region&& region, double bound) {
+  Item item;
+  item.kind = Kind::Leaf;
+  item.end_level = region.node.level;
+  const Extent extent = extent_of(region.shape);
+  item.centre = extent.centre();
+  item.half = 0.5 * (extent.upper - extent.lower);
+  item.region = std::make_shared<Region>(std::move(region));
+  item.bound = std::min({bound, bound_of_undivided(*item.region), bound_of_box(item, false)});
+  if (is_in_question(item.bound, item.end_level)) open_.push(std::move(item));
+}
+
+/// Notes how far some of its corners are. Where the material is convex, nothing is farther from it
+/// than a corner.
+double ExcessSearch::bound_of_undivided(const Region& undivided) {
+  const std::size_t stride = undivided.shape.vertices.size() / kCornersTried + 1;
+  for (std::size_t i = 0; i < undivided.shape.vertices.size(); i += stride) {
+    const PolyhedronVertex& vertex = undivided.shape.vertices[i];
     const double distance = queries_.distance(vertex.position) - vertex.error;
-    if (distance <= attained_) continue;
-    if (queries_.side_of(vertex.position) != SolidQueries::Side::In) attained_ = distance;
-  }
-  const Level& level = built_.tree.levels[leaf.level];
-  if (level.kinds[leaf.index] == NodeKind::Convex) {
-    Planes planes = cuts;
-    const auto own = level.planes_of(leaf.index);
-    planes.insert(planes.end(), own.begin(), own.end());
-    Polyhedron piece = region;
-    if (many_clipper_.clip(piece, planes, planes_)) {
-      bound = std::min(bound, largest_distance(corners_cut_off(region, piece), piece, planes_));
+    if (distance <= attained_[undivided.level]) continue;
+    if (queries_.side_of(vertex.position) != SolidQueries::Side::In) {
+      attain(distance, undivided.level + 1);
     }
   }
-  Item item;
-  item.has_material = true;
-  const double radius = set_box(item, region);
-  item.bound = std::min(bound, bound_of_box(item, radius, false));
-  if (!is_in_question(item.bound)) return;
-  item.region = std::make_shared<const Polyhedron>(region);
-  open_.push(std::move(item));
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  const Level& level = built_.tree.levels[undivided.node.level];
+  if (level.kinds[undivided.node.index] != NodeKind::Convex) return kUnknown;
+  std::vector<std::uint32_t> planes;
+  for (const Cut& cut : undivided.cuts) planes.push_back(cut.plane);
+  const auto own = level.planes_of(undivided.node.index);
+  planes.insert(planes.end(), own.begin(), own.end());
+  Polyhedron piece = undivided.shape;
+  if (!many_clipper_.clip(piece, planes, planes_)) return kUnknown;
+  return largest_distance(corners_cut_off(undivided.shape, piece), piece, planes_);
 }
 
-/// Nothing in the excess within `radius` of the centre is farther from the solid. Notes how far the
-/// centre is, if it belongs to the excess.
-double ExcessSearch::bound_of_box(const Item& box, double radius, bool centre_is_in_region) {
-  const double distance = queries_.distance(box.centre);
+/// Nothing in the excess and the box is farther from the solid: not than the farthest corner of the
+/// box from the triangle nearest to its centre. Notes how far the centre is, if it belongs to the
+/// excess.
+double ExcessSearch::bound_of_box(const Item& box, bool centre_is_in_region) {
+  const auto [distance, triangle] = queries_.nearest(box.centre);
   // From material, the way to what is beyond it leads through the boundary.
-  if (box.has_material && queries_.side_of(box.centre) == SolidQueries::Side::In) {
-    return std::max(0.0, radius - distance);
+  if (box.kind == Kind::Leaf && queries_.side_of(box.centre) == SolidQueries::Side::In) {
+    return std::max(0.0, glm::length(box.half) - distance);
   }
-  if (centre_is_in_region) attained_ = std::max(attained_, distance);
-  return distance + radius;
+  if (centre_is_in_region) {
+    attain(distance, box.kind == Kind::Leaf ? box.region->level + 1 : box.end_level);
+  }
+  double farthest = 0;
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    Vec3 corner = box.centre;
+    for (int axis = 0; axis < 3; ++axis) {
+      corner[axis] += ((octant >> axis) & 1) ? box.half[axis] : -box.half[axis];
+    }
+    farthest = std::max(farthest, queries_.distance_to(triangle, corner));
+  }
+  return farthest;
 }
 
 void ExcessSearch::open_box(const Item& item) {
@@ -332,23 +505,22 @@ void ExcessSearch::open_box(const Item& item) {
       part.centre[axis] += ((octant >> axis) & 1) ? part.half[axis] : -part.half[axis];
     }
     bool centre_is_inside = false;
-    if (!may_meet(*item.region, planes_, part.centre, part.half, centre_is_inside)) continue;
-    part.bound = std::min(item.bound, bound_of_box(part, glm::length(part.half), centre_is_inside));
-    if (is_in_question(part.bound)) open_.push(std::move(part));
+    if (!may_meet(item.region->shape, planes_, part.centre, part.half, centre_is_inside)) continue;
+    part.bound = std::min(item.bound, bound_of_box(part, centre_is_inside));
+    if (is_in_question(part.bound, part.end_level)) open_.push(std::move(part));
   }
 }
 
 }  // namespace
 
-double error_bound(const GreyRegions& regions, const BuiltOctree& built, const Solid& solid,
-                   const SolidQueries& queries) {
-  ExcessSearch search(built, solid, queries, regions.attained);
-  for (const GreyRegions::Candidate& candidate : regions.candidates) {
-    if (candidate.bound > kErrorBoundRatio * regions.attained) {
-      search.add_node(candidate.node, candidate.region, candidate.bound);
-    }
+std::vector<double> error_bounds(std::span<const GreyRegions> regions, const BuiltOctree& built,
+                                 const Solid& solid, const SolidQueries& queries) {
+  ExcessSearch search(built, solid, queries, regions);
+  std::vector<double> bounds;
+  for (std::uint32_t k = 0; k < regions.size(); ++k) {
+    bounds.push_back(built.tree.levels[k].grey_count > 0 ? search.run(k, regions[k]) : 0.0);
   }
-  return search.run();
+  return bounds;
 }
 
 }  // namespace spoctree

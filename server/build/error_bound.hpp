@@ -1,13 +1,16 @@
-// The GREY regions of a level -> how far the level's solid can be from the true one.
+// The GREY regions of all levels -> how far each level's solid can be from the true one.
 #pragma once
+
+#include <span>
+#include <vector>
 
 #include "server/build/level_survey.hpp"
 #include "server/solid/solid_queries.hpp"
 
 namespace spoctree {
 
-/// A certified bound of a level's error, in universe units: a branch-and-bound maximum of the
-/// distance from the regions to the solid.
+/// Certified bounds of the levels' errors, in universe units: for each level a branch-and-bound
+/// maximum of the distance from its regions to the solid. `regions` are those of all levels.
 ///
 /// T_k differs from the solid in the GREY nodes of level k only, and their descendants say where:
 /// what a plane of a deeper node cuts off, a WHITE leaf, the out-cells of an expression. All of
@@ -16,7 +19,12 @@ namespace spoctree {
 /// within kErrorBoundRatio of a distance that is attained, or a limit of work is reached. What is
 /// material is never looked into, however much boundary T_k and the solid share. Rounding is added
 /// to the bound.
-double error_bound(const GreyRegions& regions, const BuiltOctree& built, const Solid& solid,
-                   const SolidQueries& queries);
+///
+/// What a plane or leaf of level j takes away belongs to all T_k before j. So no node is opened for
+/// more than one level, the first that asks: what is found in it is kept for those after. In the
+/// worst case, where it is the noise of all faces that makes the error, O(nodes) and what dividing
+/// the leaves takes.
+std::vector<double> error_bounds(std::span<const GreyRegions> regions, const BuiltOctree& built,
+                                 const Solid& solid, const SolidQueries& queries);
 
 }  // namespace spoctree

@@ -2,16 +2,23 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <unordered_map>
 #include <utility>
 
 #include "common/geometry/predicates.hpp"
 #include "common/tree/octree.hpp"
+#include "server/build/reach_boxes.hpp"
 
 namespace spoctree {
 
 namespace {
 
 constexpr std::int32_t kNone = -1;
+
+/// So many polygons are worth looking for all planes that have the others on one side.
+constexpr std::size_t kManyPolygons = 96;
+/// Not deeper than this: an expression may have 4096 splits within each other.
+constexpr std::size_t kMostPeeledDepth = 2048;
 
 /// A plane that bounds polygons: a plane of the solid, or a wall of the cell.
 struct Cutter {
@@ -54,10 +61,12 @@ struct ExpressionBuilder::Work {
     corners_.clear();
     result_.planes.clear();
     result_.tokens.clear();
+    index_of_plane_.clear();
+    cutter_of_plane_.clear();
     for (const Fragment& fragment : remaining) {
       add_polygon(fragment, boundary.corners_of(fragment));
     }
-    split(0);
+    split(0, 0);
     return result_;
   }
 
@@ -105,17 +114,20 @@ struct ExpressionBuilder::Work {
     Plane plane;
     plane.normal[axis] = 1.0;
     plane.offset = coordinate;
-    return cutter(plane, kNone);
+    // All walls come first, and there are six.
+    for (std::size_t i = 0; i < cutters_.size(); ++i) {
+      if (cutters_[i].plane == plane) return static_cast<std::int32_t>(i);
+    }
+    cutters_.push_back({plane, kNone});
+    return static_cast<std::int32_t>(cutters_.size()) - 1;
   }
 
-  std::int32_t cutter(const Plane& plane, std::int32_t solid_plane) {
-    for (std::size_t i = 0; i < cutters_.size(); ++i) {
-      if (cutters_[i].solid_plane == solid_plane && cutters_[i].plane == plane) {
-        return static_cast<std::int32_t>(i);
-      }
-    }
-    cutters_.push_back({plane, solid_plane});
-    return static_cast<std::int32_t>(cutters_.size()) - 1;
+  std::int32_t cutter(std::uint32_t solid_plane) {
+    const auto number = static_cast<std::int32_t>(solid_plane);
+    const auto [entry, is_new] =
+        cutter_of_plane_.try_emplace(number, static_cast<std::int32_t>(cutters_.size()));
+    if (is_new) cutters_.push_back({solid_.planes[solid_plane], number});
+    return entry->second;
   }
 
   bool is_on(std::uint32_t vertex, std::uint32_t plane) const {
@@ -213,24 +225,30 @@ struct ExpressionBuilder::Work {
     end_polygon(part);
   }
 
+  struct Choice {
+    std::uint32_t plane = 0;
+    std::size_t score = static_cast<std::size_t>(-1);  ///< what is left to be split, about
+  };
   /// The plane that cuts the fewest polygons; among those the one that balances best. A polygon of
   /// another plane that lies on it, as where two parts end at one plane from both sides, would be
   /// known by the name of the plane chosen, and in the next cell by its own: a seam for those who
   /// rebuild. Other planes first, which may tell the two apart.
-  std::uint32_t choose_plane(std::span<const Polygon> polygons) {
+  Choice choose_plane(std::span<const Polygon> polygons) {
     // Trying every plane is quadratic: a sample does for the rare big cells.
     constexpr std::size_t kCandidates = 24;
     constexpr std::size_t kRenaming = 1024;
+    const std::size_t stride = polygons.size() < kManyPolygons ? 1 : polygons.size() / kCandidates;
     candidates_.clear();
-    for (const Polygon& polygon : polygons) {
-      if (std::find(candidates_.begin(), candidates_.end(), polygon.plane) == candidates_.end()) {
-        candidates_.push_back(polygon.plane);
+    for (std::size_t i = 0; i < polygons.size(); i += stride) {
+      const std::uint32_t plane = polygons[i].plane;
+      if (std::find(candidates_.begin(), candidates_.end(), plane) == candidates_.end()) {
+        candidates_.push_back(plane);
         if (candidates_.size() == kCandidates) break;
       }
     }
-    if (candidates_.size() == 1) return candidates_.front();
-    std::size_t best_score = static_cast<std::size_t>(-1);
-    std::uint32_t best = candidates_.front();
+    Choice best;
+    best.plane = candidates_.front();
+    if (candidates_.size() == 1) return best;
     for (const std::uint32_t plane : candidates_) {
       std::size_t cuts = 0;
       std::size_t inside = 0;
@@ -245,29 +263,99 @@ struct ExpressionBuilder::Work {
         renamed += !reach.inside && !reach.outside;
       }
       const std::size_t score = 8 * cuts + std::max(inside, outside) + kRenaming * renamed;
-      if (score < best_score) {
-        best_score = score;
-        best = plane;
-      }
+      if (score < best.score) best = {plane, score};
     }
     return best;
   }
 
   std::uint32_t token_of(std::uint32_t plane) {
-    const auto at = std::find(result_.planes.begin(), result_.planes.end(), plane);
-    const auto index = static_cast<std::uint32_t>(at - result_.planes.begin());
-    if (at == result_.planes.end()) result_.planes.push_back(plane);
-    return kFirstPlaneToken + index;
+    const auto [entry, is_new] =
+        index_of_plane_.try_emplace(plane, static_cast<std::uint32_t>(result_.planes.size()));
+    if (is_new) result_.planes.push_back(plane);
+    return kFirstPlaneToken + entry->second;
+  }
+
+  /// Takes off the polygons from `begin` on whose planes have all the others on one side, `most`
+  /// planes at most, and appends their tokens, those that are to follow after what is left to
+  /// `closing`. Those planes stay such planes whatever else is taken off, so all are found at once:
+  /// one by one they would take as many splits. Returns how many. O(n log n).
+  std::size_t peel(std::size_t begin, std::size_t most, std::vector<std::uint32_t>& closing) {
+    const std::size_t end = polygons_.size();
+    reach_boxes_.clear();
+    for (std::size_t i = begin; i < end; ++i) {
+      for (const Corner& corner : corners_of(polygons_[i])) {
+        reach_boxes_.add(corner.position, corner.error);
+      }
+    }
+    reach_boxes_.prepare();
+    std::unordered_map<std::uint32_t, bool> is_peeled;  // planes
+    std::size_t count = 0;
+    is_gone_.assign(end - begin, 0);
+    // Nothing is left to tell apart by what lies on the plane. That is found beside it.
+    const auto drop = [&](std::size_t i, std::uint32_t plane) {
+      if (is_gone_[i - begin] != 0) return true;
+      const Reach reach = reach_of(polygons_[i], plane);
+      if (reach.inside || reach.outside) return false;
+      is_gone_[i - begin] = 1;
+      return true;
+    };
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_gone_[i - begin] != 0 || count == most) continue;
+      const std::uint32_t plane = polygons_[i].plane;
+      const auto [entry, is_new] = is_peeled.try_emplace(plane, false);
+      if (!is_new) continue;
+      const Plane& p = solid_.planes[plane];
+      const bool has_outside = reach_boxes_.any_beyond(p.normal, p.offset, doubt_);
+      if (has_outside && reach_boxes_.any_beyond(-p.normal, -p.offset, doubt_)) continue;
+      entry->second = true;
+      ++count;
+      result_.tokens.push_back(token_of(plane));
+      // The last one's other side is without boundary, too, if nothing is left.
+      if (has_outside) result_.tokens.push_back(kInToken);
+      if (!has_outside) closing.push_back(kOutToken);
+      last_peeled_has_outside_ = has_outside;
+      for (std::size_t j = i; j < end && drop(j, plane);) ++j;
+      for (std::size_t j = i; j > begin && drop(j - 1, plane);) --j;
+    }
+    std::size_t kept = begin;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto entry = is_peeled.find(polygons_[i].plane);
+      if (is_gone_[i - begin] != 0 || (entry != is_peeled.end() && entry->second)) continue;
+      polygons_[kept++] = polygons_[i];
+    }
+    polygons_.resize(kept);
+    return count;
   }
 
   /// Splits by the polygons from `begin` on, and takes them off. Every region without boundary
   /// inside is homogeneous. Inside the plane just used, next to a piece of boundary on it, lies
   /// material; outside, none.
-  void split(std::size_t begin) {
+  ///
+  /// Most planes of a vertex with many faces have nearly all others on one side: where no better
+  /// one is found, those that have all are taken off first.
+  void split(std::size_t begin, std::size_t depth) {
+    std::vector<std::uint32_t> closing;
+    Choice chosen = choose_plane(std::span(polygons_).subspan(begin));
+    for (std::size_t count = polygons_.size() - begin;
+         count >= kManyPolygons && chosen.score > count - count / 8 && depth < kMostPeeledDepth;
+         count = polygons_.size() - begin) {
+      const std::size_t peeled = peel(begin, kMostPeeledDepth - depth, closing);
+      depth += peeled;
+      if (peeled == 0 || polygons_.size() == begin) break;
+      chosen = choose_plane(std::span(polygons_).subspan(begin));
+    }
+    if (polygons_.size() > begin) {
+      split_by(chosen.plane, begin, depth);
+    } else {
+      result_.tokens.push_back(last_peeled_has_outside_ ? kOutToken : kInToken);
+    }
+    result_.tokens.insert(result_.tokens.end(), closing.begin(), closing.end());
+  }
+
+  void split_by(std::uint32_t plane, std::size_t begin, std::size_t depth) {
     const std::size_t end = polygons_.size();
     const std::size_t first_corner = corners_.size();
-    const std::uint32_t plane = choose_plane(std::span(polygons_).subspan(begin));
-    const std::int32_t cut = cutter(solid_.planes[plane], static_cast<std::int32_t>(plane));
+    const std::int32_t cut = cutter(plane);
     result_.tokens.push_back(token_of(plane));
     for (const int keep : {-1, +1}) {
       for (std::size_t i = begin; i < end; ++i) {
@@ -286,7 +374,7 @@ struct ExpressionBuilder::Work {
         }
       }
       if (polygons_.size() > end) {
-        split(end);
+        split(end, depth + 1);
       } else {
         result_.tokens.push_back(keep < 0 ? kInToken : kOutToken);
       }
@@ -305,6 +393,11 @@ struct ExpressionBuilder::Work {
   // Of the split at hand.
   std::vector<int> sides_;
   std::vector<std::uint32_t> candidates_;
+  ReachBoxes reach_boxes_;
+  bool last_peeled_has_outside_ = false;
+  std::vector<std::uint8_t> is_gone_;                                // polygons
+  std::unordered_map<std::uint32_t, std::uint32_t> index_of_plane_;  // in the result
+  std::unordered_map<std::int32_t, std::int32_t> cutter_of_plane_;   // of the solid
   Expression result_;
 };
 

@@ -14,6 +14,9 @@ Incidence::Incidence(const Solid& solid) : begin_(solid.vertices.size() + 1, 0) 
       planes_[end[vertex]++] = solid.facet_plane[facet];
     }
   }
+  for (std::size_t i = 0; i + 1 < begin_.size(); ++i) {
+    std::sort(planes_.begin() + begin_[i], planes_.begin() + begin_[i + 1]);
+  }
 }
 
 }  // namespace spoctree

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_set>
 #include <utility>
 
 #include "common/base/parallel.hpp"
@@ -107,12 +108,14 @@ bool Rounds::loosen(const std::vector<CornerConflict>& conflicts) {
   std::vector<std::uint32_t> around;
   std::vector<std::uint32_t> beyond;
   std::vector<std::uint32_t> loosened;
+  std::unordered_set<std::uint32_t> seen;  // corners: one may belong to very many groups
   for (const CornerConflict& conflict : conflicts) {
     collect_groups_around(surface_, groups_, conflict.vertex, around);
     for (const std::uint32_t g : around) {
       if (groups_.groups[g].triangles.size() > kMostLooseNeighbours) continue;
       for (const std::uint32_t t : groups_.groups[g].triangles) {
         for (const std::uint32_t v : surface_.triangles[t]) {
+          if (!seen.insert(v).second) continue;
           collect_groups_around(surface_, groups_, v, beyond);
           for (const std::uint32_t h : beyond) {
             if (!can_loosen(groups_.groups[h])) continue;

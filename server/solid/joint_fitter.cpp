@@ -21,6 +21,11 @@ constexpr double kDamping = 1e-8;
 // What moving a plane costs, beside moving the corners on it.
 constexpr double kPlaneCost = 1e-2;
 
+// Planes of more corners stay: they leave more combinations than the three unknowns of a plane.
+constexpr std::size_t kMostCornersEliminated = 6;
+// A plane that moves so easily with its corners is taken to do so freely.
+constexpr double kFree = 4;
+
 constexpr int kMostSteps = 10;
 // From here on, steps do not change anything that rounding to the grid leaves.
 constexpr double kFulfilled = 0x1p-55;
@@ -108,8 +113,11 @@ JointFitter::JointFitter(const FlatSurface& surface, const FlatGroups& groups,
 
 void JointFitter::collect_equations(const std::vector<std::uint32_t>& members) {
   std::vector<std::uint32_t> around;
-  begin_.assign(1, 0);
+  std::vector<std::uint32_t> count(planes_.size(), 0);
+  corners_.reserve(vertices_.size());
   for (const std::uint32_t vertex : vertices_) {
+    Corner made;
+    made.first = equations_.size();
     collect_groups_around(surface_, groups_, vertex, around);
     if (around.size() > kMostGroupsOfCorner) around.clear();
     const GridPoint& corner = surface_.points[vertex];
@@ -122,6 +130,7 @@ void JointFitter::collect_equations(const std::vector<std::uint32_t>& members) {
       const auto member = std::lower_bound(members.begin(), members.end(), g);
       if (member != members.end() && *member == g) {
         equation.plane = static_cast<std::uint32_t>(member - members.begin());
+        ++count[equation.plane];
         const MovablePlane& plane = planes_[equation.plane];
         equation.arm = difference(corner, plane.centre);
         equation.lever = {1, -dot(equation.arm, plane.axis[0]) / plane.radius,
@@ -129,47 +138,159 @@ void JointFitter::collect_equations(const std::vector<std::uint32_t>& members) {
       }
       equations_.push_back(equation);
     }
-    begin_.push_back(equations_.size());
+    made.end = equations_.size();
+    corners_.push_back(std::move(made));
   }
   missing_.resize(equations_.size());
+
+  eliminations_.resize(planes_.size());
+  for (Corner& corner : corners_) {
+    const auto begin = equations_.begin() + static_cast<std::ptrdiff_t>(corner.first);
+    const auto end = equations_.begin() + static_cast<std::ptrdiff_t>(corner.end);
+    const auto middle = std::stable_partition(begin, end, [&](const Equation& equation) {
+      return equation.plane == kNone || count[equation.plane] > kMostCornersEliminated;
+    });
+    corner.first_eliminated = static_cast<std::size_t>(middle - equations_.begin());
+    for (std::size_t i = corner.first_eliminated; i < corner.end; ++i) {
+      eliminations_[equations_[i].plane].equations.push_back(i);
+    }
+  }
 }
 
-// A corner's way is N' y, N its planes' normals and y = (N N' + damping)^-1 (missing + what its
-// planes rise); what is left is to move the planes so that the y pull at none of them.
-void JointFitter::factor() {
-  inverses_.resize(corner_count());
-  for (std::size_t c = 0; c < corner_count(); ++c) {
-    const Eigen::Index n = count_of(c);
-    Eigen::MatrixXd normals(n, 3);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const Vector& normal = equations_[begin_[c] + static_cast<std::size_t>(i)].normal;
-      normals.row(i) << normal[0], normal[1], normal[2];
+// The levers of a plane's k corners, U S V' with U square: the combinations in U's columns. In the
+// first three the plane moves by V S^-1 of them, where its cost does not hold it back; in the
+// others it does not occur.
+void JointFitter::eliminate_planes() {
+  first_unknown_.resize(planes_.size());
+  unknowns_ = 0;
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    first_unknown_[p] = unknowns_;
+    Elimination& plane = eliminations_[p];
+    if (plane.equations.empty()) {
+      unknowns_ += 3;
+      continue;
     }
-    Eigen::MatrixXd own = normals * normals.transpose();
-    own.diagonal().array() += kDamping;
-    inverses_[c] = own.inverse();
+    const auto k = static_cast<Eigen::Index>(plane.equations.size());
+    Eigen::MatrixXd levers(k, 3);
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const Vector& lever = equations_[plane.equations[static_cast<std::size_t>(i)]].lever;
+      levers.row(i) << lever[0], lever[1], lever[2];
+    }
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(levers, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    plane.rises_to.setZero(3, k);
+    std::vector<Eigen::Index> combinations;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      const double s = i < 3 ? svd.singularValues()[i] : 0;
+      if (s * s >= kFree * kPlaneCost) {
+        plane.rises_to += svd.matrixV().col(i) * svd.matrixU().col(i).transpose() / s;
+        continue;
+      }
+      combinations.push_back(i);
+      plane.softness.push_back(s * s / kPlaneCost);
+      Vector yields{};
+      for (std::size_t j = 0; i < 3 && j < 3; ++j) {
+        yields[j] = -s / kPlaneCost * svd.matrixV()(static_cast<Eigen::Index>(j), i);
+      }
+      plane.yields.push_back(yields);
+    }
+    plane.pulls = static_cast<std::uint32_t>(combinations.size());
+    unknowns_ += plane.pulls;
+    for (Eigen::Index i = 0; i < k; ++i) {
+      equations_[plane.equations[static_cast<std::size_t>(i)]].weights = weights_.size();
+      for (const Eigen::Index j : combinations) weights_.push_back(svd.matrixU()(i, j));
+    }
   }
+}
+
+// Calls visit(unknown, equation, weight) for the pulls at a corner.
+template <class Visit>
+void JointFitter::visit_pulls(const Corner& corner, Visit visit) const {
+  for (std::size_t i = corner.first_eliminated; i < corner.end; ++i) {
+    const Equation& equation = equations_[i];
+    for (std::uint32_t k = 0; k < eliminations_[equation.plane].pulls; ++k) {
+      visit(first_unknown_[equation.plane] + k, equation, weights_[equation.weights + k]);
+    }
+  }
+}
+
+// A corner's way is N' y + g, N the normals of the planes that stay, g the pulls of the others
+// along their normals, y = (N N' + damping)^-1 (missing + what the planes rise - N g). What is left
+// is to move the planes so that the y pull at none of them, and to pull so that what is combined
+// fits. The signs of the former are reversed: that makes the matrix symmetric, and quasi-definite,
+// so that every order of elimination is as good.
+void JointFitter::factor() {
+  eliminate_planes();
+  struct Part {
+    std::uint32_t unknown;
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  // of a pull
+    std::size_t equation;  // of a plane that stays, and what it rises by
+    double lever;
+  };
   std::vector<Eigen::Triplet<double, std::uint32_t>> entries;
-  for (std::size_t c = 0; c < corner_count(); ++c) {
-    for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
-      for (std::size_t j = begin_[c]; j <= i; ++j) {
-        const Equation& p = equations_[i];
-        const Equation& q = equations_[j];
-        if (p.plane == kNone || q.plane == kNone) continue;
-        const double factor = inverses_[c](static_cast<Eigen::Index>(i - begin_[c]),
-                                           static_cast<Eigen::Index>(j - begin_[c]));
+  const auto add = [&](std::uint32_t i, std::uint32_t j, double value) {
+    entries.emplace_back(std::max(i, j), std::min(i, j), value);
+  };
+  std::vector<Part> pulls;
+  std::vector<Part> levers;
+  for (Corner& corner : corners_) {
+    const auto n = static_cast<Eigen::Index>(corner.first_eliminated - corner.first);
+    pulls.clear();
+    levers.clear();
+    visit_pulls(corner, [&](std::uint32_t unknown, const Equation& equation, double weight) {
+      const Vector& normal = equation.normal;
+      pulls.push_back({unknown, weight * Eigen::Vector3d(normal[0], normal[1], normal[2]), 0, 0});
+    });
+    Eigen::Matrix3d free = Eigen::Matrix3d::Identity();
+    Eigen::MatrixXd along;  // from what is missing to the corner's way
+    if (n > 0) {
+      Eigen::MatrixXd normals(n, 3);
+      for (Eigen::Index i = 0; i < n; ++i) {
+        const Equation& equation = equations_[corner.first + static_cast<std::size_t>(i)];
+        normals.row(i) << equation.normal[0], equation.normal[1], equation.normal[2];
+        if (equation.plane == kNone) continue;
         for (std::uint32_t k = 0; k < 3; ++k) {
-          for (std::uint32_t l = 0; l < 3; ++l) {
-            entries.emplace_back(3 * p.plane + k, 3 * q.plane + l,
-                                 p.lever[k] * factor * q.lever[l]);
-          }
+          levers.push_back({first_unknown_[equation.plane] + k, Eigen::Vector3d::Zero(),
+                            static_cast<std::size_t>(i), equation.lever[k]});
         }
+      }
+      Eigen::MatrixXd own = normals * normals.transpose();
+      own.diagonal().array() += kDamping;
+      corner.inverse = own.inverse();
+      along = normals.transpose() * corner.inverse;
+      free -= along * normals;
+    }
+    for (std::size_t i = 0; i < pulls.size(); ++i) {
+      const Eigen::Vector3d pulled = free * pulls[i].direction;
+      for (std::size_t j = 0; j <= i; ++j) {
+        add(pulls[i].unknown, pulls[j].unknown, pulled.dot(pulls[j].direction));
+      }
+      for (const Part& lever : levers) {
+        add(pulls[i].unknown, lever.unknown,
+            lever.lever *
+                pulls[i].direction.dot(along.col(static_cast<Eigen::Index>(lever.equation))));
+      }
+    }
+    for (std::size_t i = 0; i < levers.size(); ++i) {
+      for (std::size_t j = 0; j < levers.size(); ++j) {
+        if (levers[j].unknown > levers[i].unknown) continue;  // once
+        add(levers[i].unknown, levers[j].unknown,
+            -levers[i].lever * levers[j].lever *
+                corner.inverse(static_cast<Eigen::Index>(levers[i].equation),
+                               static_cast<Eigen::Index>(levers[j].equation)));
       }
     }
   }
-  const auto size = static_cast<std::uint32_t>(3 * planes_.size());
-  for (std::uint32_t i = 0; i < size; ++i) entries.emplace_back(i, i, kPlaneCost);
-  SparseMatrix matrix(size, size);
+  for (std::size_t p = 0; p < planes_.size(); ++p) {
+    const std::uint32_t first = first_unknown_[p];
+    if (eliminations_[p].equations.empty()) {
+      for (std::uint32_t k = 0; k < 3; ++k) add(first + k, first + k, -kPlaneCost);
+      continue;
+    }
+    for (std::uint32_t k = 0; k < eliminations_[p].pulls; ++k) {
+      add(first + k, first + k, eliminations_[p].softness[k] + kDamping);
+    }
+  }
+  SparseMatrix matrix(unknowns_, unknowns_);
   matrix.setFromTriplets(entries.begin(), entries.end());
   coupling_.compute(matrix);  // from its lower half
 }
@@ -177,8 +298,8 @@ void JointFitter::factor() {
 // Exactly enough: what is computed in doubles are differences of the size of the ways.
 double JointFitter::find_missing() {
   double most = 0;
-  for (std::size_t c = 0; c < corner_count(); ++c) {
-    for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    for (std::size_t i = corners_[c].first; i < corners_[c].end; ++i) {
       const Equation& equation = equations_[i];
       missing_[i] = equation.missing - dot(equation.normal, ways_[c]);
       if (equation.plane != kNone) {
@@ -192,43 +313,81 @@ double JointFitter::find_missing() {
 }
 
 void JointFitter::step() {
-  Eigen::VectorXd pull = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(3 * planes_.size()));
-  const auto missing_of = [&](std::size_t c) {
-    return Eigen::Map<const Eigen::VectorXd>(missing_.data() + begin_[c], count_of(c));
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(unknowns_));
+  const auto count_of = [](const Corner& corner) {
+    return static_cast<Eigen::Index>(corner.first_eliminated - corner.first);
   };
-  for (std::size_t c = 0; c < corner_count(); ++c) {
-    const Eigen::VectorXd y = inverses_[c] * missing_of(c);
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const Equation& equation = equations_[begin_[c] + static_cast<std::size_t>(i)];
-      if (equation.plane == kNone) continue;
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        pull[3 * equation.plane + k] -= equation.lever[k] * y[i];
+  const auto missing_of = [&](const Corner& corner) {
+    return Eigen::Map<const Eigen::VectorXd>(missing_.data() + corner.first, count_of(corner));
+  };
+  for (const Corner& corner : corners_) {
+    Vector way{};
+    if (count_of(corner) > 0) {
+      const Eigen::VectorXd y = corner.inverse * missing_of(corner);
+      for (Eigen::Index i = 0; i < y.size(); ++i) {
+        const Equation& equation = equations_[corner.first + static_cast<std::size_t>(i)];
+        for (std::size_t k = 0; k < 3; ++k) way[k] += y[i] * equation.normal[k];
+        if (equation.plane == kNone) continue;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          pull[first_unknown_[equation.plane] + k] += equation.lever[k] * y[i];
+        }
       }
     }
+    visit_pulls(corner, [&](std::uint32_t unknown, const Equation& equation, double weight) {
+      const auto i = static_cast<std::size_t>(&equation - equations_.data());
+      pull[unknown] += weight * (missing_[i] - dot(equation.normal, way));
+    });
   }
   const Eigen::VectorXd motion = coupling_.solve(pull);
-  for (std::size_t c = 0; c < corner_count(); ++c) {
-    Eigen::VectorXd missing = missing_of(c);
-    for (Eigen::Index i = 0; i < missing.size(); ++i) {
-      const Equation& equation = equations_[begin_[c] + static_cast<std::size_t>(i)];
-      if (equation.plane == kNone) continue;
-      for (std::uint32_t k = 0; k < 3; ++k) {
-        missing[i] += equation.lever[k] * motion[3 * equation.plane + k];
+  std::vector<double> risen = missing_;  // by how far corners come up to planes, and down again
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
+    const Corner& corner = corners_[c];
+    Vector way{};
+    visit_pulls(corner, [&](std::uint32_t unknown, const Equation& equation, double weight) {
+      for (std::size_t k = 0; k < 3; ++k) way[k] += motion[unknown] * weight * equation.normal[k];
+    });
+    if (count_of(corner) > 0) {
+      Eigen::VectorXd missing = missing_of(corner);
+      for (Eigen::Index i = 0; i < missing.size(); ++i) {
+        const Equation& equation = equations_[corner.first + static_cast<std::size_t>(i)];
+        missing[i] -= dot(equation.normal, way);
+        if (equation.plane == kNone) continue;
+        for (std::uint32_t k = 0; k < 3; ++k) {
+          missing[i] += equation.lever[k] * motion[first_unknown_[equation.plane] + k];
+        }
+      }
+      const Eigen::VectorXd y = corner.inverse * missing;
+      for (Eigen::Index i = 0; i < y.size(); ++i) {
+        const Vector& normal = equations_[corner.first + static_cast<std::size_t>(i)].normal;
+        for (std::size_t k = 0; k < 3; ++k) way[k] += y[i] * normal[k];
       }
     }
-    const Eigen::VectorXd y = inverses_[c] * missing;
-    for (Eigen::Index i = 0; i < y.size(); ++i) {
-      const Vector& normal = equations_[begin_[c] + static_cast<std::size_t>(i)].normal;
-      for (std::size_t k = 0; k < 3; ++k) ways_[c][k] += y[i] * normal[k];
+    for (std::size_t i = corner.first_eliminated; i < corner.end; ++i) {
+      risen[i] = dot(equations_[i].normal, way) - missing_[i];
     }
+    for (std::size_t k = 0; k < 3; ++k) ways_[c][k] += way[k];
   }
   for (std::size_t p = 0; p < planes_.size(); ++p) {
     MovablePlane& plane = planes_[p];
-    const auto at = static_cast<Eigen::Index>(3 * p);
-    plane.shift += motion[at];
+    const Elimination& eliminated = eliminations_[p];
+    const std::uint32_t first = first_unknown_[p];
+    Vector moved{};
+    if (eliminated.equations.empty()) {
+      for (std::uint32_t k = 0; k < 3; ++k) moved[k] = motion[first + k];
+    }
+    for (std::size_t i = 0; i < eliminated.equations.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        moved[k] +=
+            eliminated.rises_to(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(i)) *
+            risen[eliminated.equations[i]];
+      }
+    }
+    for (std::uint32_t j = 0; j < eliminated.pulls; ++j) {
+      for (std::size_t k = 0; k < 3; ++k) moved[k] += eliminated.yields[j][k] * motion[first + j];
+    }
+    plane.shift += moved[0];
     for (std::size_t i = 0; i < 3; ++i) {
-      plane.turn[i] +=
-          (motion[at + 1] * plane.axis[0][i] + motion[at + 2] * plane.axis[1][i]) / plane.radius;
+      plane.turn[i] += (moved[1] * plane.axis[0][i] + moved[2] * plane.axis[1][i]) / plane.radius;
     }
   }
 }
@@ -237,10 +396,10 @@ void JointFitter::step() {
 std::vector<CornerConflict> JointFitter::find_conflicts(double most_move,
                                                         double most_missing) const {
   std::vector<std::pair<double, std::size_t>> corners;
-  for (std::size_t c = 0; c < corner_count(); ++c) {
+  for (std::size_t c = 0; c < corners_.size(); ++c) {
     const double way = std::sqrt(dot(ways_[c], ways_[c]));
     double missing = 0;
-    for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
+    for (std::size_t i = corners_[c].first; i < corners_[c].end; ++i) {
       missing = std::max(missing, std::abs(missing_[i]));
     }
     if (!(way < most_move) || missing > most_missing) corners.emplace_back(-way, c);
@@ -251,7 +410,7 @@ std::vector<CornerConflict> JointFitter::find_conflicts(double most_move,
   for (const auto& [way, c] : corners) {
     bool can_wait = false;
     std::uint32_t smallest = kNone;
-    for (std::size_t i = begin_[c]; i < begin_[c + 1]; ++i) {
+    for (std::size_t i = corners_[c].first; i < corners_[c].end; ++i) {
       const std::uint32_t g = equations_[i].group;
       can_wait = can_wait || std::find(reduced.begin(), reduced.end(), g) != reduced.end();
       if (smallest == kNone || groups_.groups[g].area < groups_.groups[smallest].area) smallest = g;
@@ -282,7 +441,7 @@ std::vector<CornerConflict> JointFitter::solve(double most_move) {
 
 void JointFitter::apply(FlatGroups& groups, JointFit& fit) const {
   for (const MovablePlane& plane : planes_) move_plane(plane, groups.groups[plane.group].plane);
-  for (std::size_t c = 0; c < corner_count(); ++c) fit.ways[vertices_[c]] = ways_[c];
+  for (std::size_t c = 0; c < corners_.size(); ++c) fit.ways[vertices_[c]] = ways_[c];
 }
 
 void JointFitter::move_plane(const MovablePlane& movable, GridPlane& plane) const {

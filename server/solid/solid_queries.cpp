@@ -1,6 +1,7 @@
 #include "server/solid/solid_queries.hpp"
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "server/solid/box_tree.hpp"
@@ -62,9 +63,23 @@ SolidQueries::Side SolidQueries::side_of(Vec3 point) const {
   return is_on ? Side::On : (is_inside ? Side::In : Side::Out);
 }
 
-double SolidQueries::distance(Vec3 point) const {
-  return std::sqrt(data_->boxes.smallest_squared_distance(
-      point, [&](std::uint32_t i) { return data_->measured[i].squared_distance(point); }));
+SolidQueries::Nearest SolidQueries::nearest(Vec3 point) const {
+  Nearest found;
+  double smallest = std::numeric_limits<double>::infinity();
+  data_->boxes.smallest_squared_distance(point, [&](std::uint32_t i) {
+    const double squared = data_->measured[i].squared_distance(point);
+    if (squared < smallest) {
+      smallest = squared;
+      found.triangle = i;
+    }
+    return squared;
+  });
+  found.distance = std::sqrt(smallest);
+  return found;
+}
+
+double SolidQueries::distance_to(std::uint32_t triangle, Vec3 point) const {
+  return std::sqrt(data_->measured[triangle].squared_distance(point));
 }
 
 }  // namespace spoctree

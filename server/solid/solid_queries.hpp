@@ -1,6 +1,7 @@
 // Questions about points and a solid: inside or outside, and how far from the boundary.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "server/solid/solid.hpp"
@@ -26,7 +27,16 @@ class SolidQueries {
 
   /// The distance to the nearest triangle, in universe units, off by less than 1e-14 for points in
   /// the universe cube (relatively, for points far outside). About O(log n) near the surface.
-  double distance(Vec3 point) const;
+  double distance(Vec3 point) const { return nearest(point).distance; }
+
+  /// The same, and which triangle is so near.
+  struct Nearest {
+    double distance = 0;
+    std::uint32_t triangle = 0;
+  };
+  Nearest nearest(Vec3 point) const;
+  /// As accurate.
+  double distance_to(std::uint32_t triangle, Vec3 point) const;
 
  private:
   struct Data;

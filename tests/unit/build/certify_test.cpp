@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 
 #include "common/tree/pieces.hpp"
 #include "server/solid/import_solid.hpp"
@@ -240,6 +241,43 @@ TEST(Certify, HoldsForLargeConvexParts) {
   // Samples of one piece with thousands of corners are not dense.
   EXPECT_LE(bound, 1.5 * sampled);
   EXPECT_EQ(built.tree.levels.back().statement.error_bound, 0);
+}
+
+// A sphere of quadrilaterals in single precision, every one of which is folded a little: it is the
+// noise of all faces alike that makes the error of the levels.
+TEST(Certify, HoldsWhereAllFacesAreNoisy) {
+  constexpr std::uint32_t kRows = 8;
+  constexpr std::uint32_t kColumns = 16;
+  PolygonSoup soup;
+  const auto add_face = [&](std::initializer_list<std::uint32_t> corners) {
+    soup.corners.insert(soup.corners.end(), corners);
+    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+  };
+  for (std::uint32_t row = 1; row < kRows; ++row) {
+    for (std::uint32_t i = 0; i < kColumns; ++i) {
+      const double latitude = std::numbers::pi * row / kRows;
+      const double longitude = 2 * std::numbers::pi * i / kColumns;
+      soup.points.emplace_back(static_cast<float>(std::sin(latitude) * std::cos(longitude)),
+                               static_cast<float>(std::sin(latitude) * std::sin(longitude)),
+                               static_cast<float>(-std::cos(latitude)));
+    }
+  }
+  const auto south = static_cast<std::uint32_t>(soup.points.size());
+  soup.points.emplace_back(0, 0, -1);
+  soup.points.emplace_back(0, 0, 1);
+  for (std::uint32_t i = 0; i < kColumns; ++i) {
+    const std::uint32_t next = (i + 1) % kColumns;
+    const std::uint32_t last = (kRows - 2) * kColumns;
+    add_face({next, i, south});
+    add_face({last + i, last + next, south + 1});
+    for (std::uint32_t at = 0; at < last; at += kColumns) {
+      add_face({at + i, at + next, at + kColumns + next});
+      add_face({at + i, at + kColumns + next, at + kColumns + i});
+    }
+  }
+  ImportOptions options;
+  options.flat_tolerance = 0;
+  judge_statements(import_solid(soup, "noisy sphere", options));
 }
 
 // A box of 2 x 2 x 1.5 with a square hole through it: T_0 fills the hole; the point farthest from

@@ -5,10 +5,12 @@
 
 #include <cmath>
 #include <glm/common.hpp>
+#include <numbers>
 #include <set>
 
 #include "common/geometry/predicates.hpp"
 #include "common/tree/validate.hpp"
+#include "server/solid/import_solid.hpp"
 #include "server/solid/solid_queries.hpp"
 #include "tests/unit/build/cells.hpp"
 
@@ -120,6 +122,46 @@ TEST(Expression, IsNotLedAstrayByFacesThatAreNearlyInOnePlane) {
       };
       for (const std::uint32_t depth : {0u, 1u, 2u}) judge(solid, depth, 100, random, is_inside);
     }
+  }
+}
+
+// Two fans of n triangles over a wavy ring, one of them dented or both. `dents` of the ring's waves
+// are so deep that planes of faces have much on both sides, 0: nearly all have all on one.
+Solid fans(std::uint32_t n, double tip, double dents, double noise, Random& random) {
+  PolygonSoup soup;
+  soup.points = {{0, 0, tip}, {0, 0, -1}};
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    soup.corners.insert(soup.corners.end(), {a, b, c});
+    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+  };
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const double at = 2 * std::numbers::pi * i / n;
+    const double radius = 1 + dents * std::sin(9 * at);
+    soup.points.emplace_back(radius * std::cos(at), radius * std::sin(at),
+                             0.4 + dents * std::sin(5 * at) + noise * random.between(-1, 1));
+    add(0, 2 + i, 2 + (i + 1) % n);
+    add(1, 2 + (i + 1) % n, 2 + i);
+  }
+  ImportOptions options;
+  options.flat_tolerance = 0;
+  return import_solid(soup, "fans", options);
+}
+
+// So many faces around one vertex are not split one by one.
+TEST(Expression, SaysWhatTheSolidSaysAroundAVertexOfManyFaces) {
+  for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double tip = seed % 2 == 0 ? 0.1 : 0.9;
+    const double dents = seed % 3 == 0 ? 0 : 0.1;
+    const double noise = seed % 4 < 2 ? 0 : std::pow(10, -3.0 - static_cast<double>(seed % 5) * 3);
+    const Solid solid = fans(300, tip, dents, noise, random);
+    const SolidQueries queries(solid);
+    const auto is_inside = [&](Vec3 p) -> std::optional<bool> {
+      if (queries.distance(p) < 1e-13) return std::nullopt;
+      return queries.side_of(p) == SolidQueries::Side::In;
+    };
+    for (const std::uint32_t depth : {0u, 1u}) judge(solid, depth, 200, random, is_inside);
   }
 }
 

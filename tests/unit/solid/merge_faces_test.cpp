@@ -208,6 +208,40 @@ PolygonSoup globe(std::uint32_t rows) {
   return make_soup(points, faces);
 }
 
+// A torus of quadrilaterals in single precision, each cut into two triangles. No two of the
+// quadrilaterals lie in one plane.
+PolygonSoup cut_torus(std::uint32_t n) {
+  const std::uint32_t m = n / 2;
+  std::vector<glm::dvec3> points;
+  std::vector<Face> faces;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    for (std::uint32_t j = 0; j < m; ++j) {
+      const double a = 2 * std::numbers::pi * i / n;
+      const double b = 2 * std::numbers::pi * j / m;
+      points.push_back({(10 + 3 * std::cos(b)) * std::cos(a), (10 + 3 * std::cos(b)) * std::sin(a),
+                        3 * std::sin(b)});
+      const std::uint32_t k = (i + 1) % n;
+      const std::uint32_t l = (j + 1) % m;
+      faces.push_back({i * m + j, k * m + j, k * m + l});
+      faces.push_back({i * m + j, k * m + l, i * m + l});
+    }
+  }
+  PolygonSoup soup = make_soup(points, faces);
+  round_to_float(soup);
+  return soup;
+}
+
+// All planes hang together: four meet in every corner.
+TEST(MergeFaces, FindsEveryQuadrilateralOfATorusInSinglePrecision) {
+  for (const std::uint32_t n : {24u, 40u, 56u}) {
+    const PolygonSoup soup = cut_torus(n);
+    const Solid solid = import_it(soup, 1e-6);
+    expect_merged_well(solid, soup, 1e-6);
+    EXPECT_EQ(solid.planes.size(), n * n / 2);
+    expect_sound(solid);
+  }
+}
+
 // Where faces of a fan are flat two by two, their planes do not meet at its tip any more, and next
 // to nothing could be saved by moving all other corners.
 TEST(MergeFaces, LeavesAFanAlone) {
