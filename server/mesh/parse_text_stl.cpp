@@ -90,7 +90,7 @@ class TextStlReader {
   // The next word that is no comment and no colour.
   std::string_view next_keyword() {
     std::string_view word = cursor_.next_word_of_any_line();
-    for (;;) {
+    while (!word.empty() && (word[0] == 'c' || word[0] == 'C' || word[0] == '/')) {
       if (word.starts_with("//")) {
         word = cursor_.next_line() ? cursor_.next_word() : std::string_view();
       } else if (equals_in_any_case(word, "color") || equals_in_any_case(word, "colour")) {
@@ -98,9 +98,10 @@ class TextStlReader {
         while (!word.empty() && !is_keyword(word));
         if (word.empty()) word = cursor_.next_word_of_any_line();
       } else {
-        return word;
+        break;
       }
     }
+    return word;
   }
 
   [[noreturn]] void fail_expected(std::string_view keyword, std::string_view word) const {
