@@ -64,14 +64,16 @@ std::optional<std::uint32_t> wrongly_repeated_vertex(std::span<const std::uint32
     sides.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
   }
   std::sort(sides.begin(), sides.end());
+  bool has_border = false;
   for (std::size_t i = 0; i < sides.size();) {
     const Side edge = sides[i];
     int sum = 0;
     for (; i < sides.size() && sides[i].low == edge.low && sides[i].high == edge.high; ++i)
       sum += sides[i].direction;
     if (sum < -1 || sum > 1) return vertex;
+    has_border = has_border || sum != 0;
   }
-  return std::nullopt;
+  return has_border ? std::nullopt : vertex;
 }
 
 std::string close_face(PolygonSoup& soup, std::uint32_t index_base) {
