@@ -49,8 +49,8 @@ std::optional<std::uint32_t> repeated_vertex(std::span<const std::uint32_t> corn
 /// A vertex number that stands more than once in a face that cannot be the boundary of one area, if
 /// there is one. A face may come back to a vertex where an edge that it uses in both directions
 /// bridges the way to a hole, and where the boundary touches itself; but then it has six corners or
-/// more, and uses no edge more often in one direction than in the other, but for once; and some
-/// edge so. Whether it bounds one area is for triangulate to judge. n log n.
+/// more, uses some edge more often in one direction than in the other, and none more than once more
+/// often. Whether it bounds one area is for triangulate to judge. n log n.
 std::optional<std::uint32_t> wrongly_repeated_vertex(std::span<const std::uint32_t> corners);
 
 /// Makes one face of the corners appended since the last face was closed. A corner equal to the one
