@@ -135,7 +135,7 @@ TEST(ReadObj, LetsAFaceComeBackToAVertexByABridge) {
   EXPECT_EQ(parse(points + "f 1 2 3 4 1 5 6 7 5\n").face(0).size(), 9U);  // by the edge 1-5
   EXPECT_EQ(parse(points + "f 1 2 3 1 4 5\n").face(0).size(), 6U);        // at a point
   EXPECT_EQ(error(points + "f 1 2 1 2 1 2\n"), "part.obj:9: the face uses vertex 1 more than once");
-  EXPECT_EQ(error(points + "f 1 2 3 4 3 2\n"), "part.obj:9: the face uses vertex 2 more than once");
+  EXPECT_EQ(error(points + "f 1 2 3 4 3 2\n"), "part.obj:9: the face uses vertex 3 more than once");
   EXPECT_EQ(error(points + "f 1 2 3 4 1 2 3 4\n"),
             "part.obj:9: the face uses vertex 1 more than once");
 }
