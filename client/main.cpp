@@ -15,8 +15,8 @@ namespace {
 using namespace spoctree;
 
 constexpr const char* kFooter =
-    "SOURCE is spo://HOST:PORT/NAME or a .spo file. NAME may be left out where the server has one\n"
-    "model only.\n"
+    "SOURCE is spo://HOST:PORT/NAME or a .spo file. In NAME, %XX is the byte with that number (%20\n"
+    "a blank, %25 a %); it may be left out where the server has one model only.\n"
     "Exit codes: 0 done; 2 wrong usage (also: a level beyond the last one); 3 bad input (a file "
     "or\n"
     "a stream is not what it should be, there is no such model or file, a file cannot be "

@@ -1,6 +1,7 @@
 #include "client/source/source_name.hpp"
 
 #include "common/base/errors.hpp"
+#include "common/wire/percent_text.hpp"
 #include "common/wire/text.hpp"
 
 namespace spoctree {
@@ -19,7 +20,14 @@ SourceName parse_source(std::string_view text) {
   const std::size_t slash = rest.find('/');
   RemoteModel model;
   model.server = parse_address(rest.substr(0, slash));
-  if (slash != std::string_view::npos) model.name = rest.substr(slash + 1);
+  if (slash != std::string_view::npos) {
+    const auto name = percent_decoded(rest.substr(slash + 1));
+    if (!name) {
+      throw UsageError("'" + clean_text(text, kMaxErrorTextBytes) +
+                       "': a % without two hexadecimal digits (a % of the name is written %25)");
+    }
+    model.name = *name;
+  }
   if (!is_clean_text(model.name, kMaxNameBytes))
     throw UsageError("'" + clean_text(text, kMaxErrorTextBytes) + "': no model has such a name");
   return model;

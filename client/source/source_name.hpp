@@ -9,8 +9,8 @@
 
 namespace spoctree {
 
-/// spo://HOST:PORT/NAME. The name is taken as it stands (no %-escapes); empty: the server's only
-/// model.
+/// spo://HOST:PORT/NAME. In NAME, %XX is the byte with that number (see percent_text.hpp), and all
+/// else stands for itself. An empty name: the server's only model.
 struct RemoteModel {
   Address server;
   std::string name;
@@ -23,7 +23,8 @@ struct ModelFile {
 
 using SourceName = std::variant<RemoteModel, ModelFile>;
 
-/// Throws UsageError for a spo:// name that is not of the form above, or of another scheme.
+/// Throws UsageError for a spo:// name that is not of the form above (also: a % without two digits,
+/// a name that is no UTF-8 or has control characters), or of another scheme.
 SourceName parse_source(std::string_view text);
 
 /// The address in spo://HOST:PORT. Throws UsageError if `text` is anything else.

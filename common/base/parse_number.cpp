@@ -1,7 +1,9 @@
 #include "common/base/parse_number.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <string>
 #include <system_error>
 
 namespace spoctree {
@@ -34,6 +36,17 @@ bool is_below_range(std::string_view word) {
   return exponent < static_cast<std::int64_t>(first) - static_cast<std::int64_t>(units);
 }
 
+// Why a word that std::from_chars does not take is no number: what else it may be.
+const char* fault_of(std::string_view word) {
+  if (std::count(word.begin(), word.end(), ',') == 1) {
+    std::string with_point(word);
+    std::replace(with_point.begin(), with_point.end(), ',', '.');
+    if (parse_real(with_point).fault == nullptr)
+      return "is not a number (a comma where a point should be)";
+  }
+  return "is not a number";
+}
+
 }  // namespace
 
 ParsedReal parse_real(std::string_view word) {
@@ -42,7 +55,14 @@ ParsedReal parse_real(std::string_view word) {
   const auto end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, parsed.value);
   if (error == std::errc::invalid_argument || stop != end) {
-    parsed.fault = "is not a number";
+    // Fortran writes the exponents of its double precision with a D.
+    if (const std::size_t d = word.find_first_of("dD");
+        d != std::string_view::npos && word.find_first_of("eE") == std::string_view::npos) {
+      std::string with_e(word);
+      with_e[d] = 'e';
+      return parse_real(with_e);
+    }
+    parsed.fault = fault_of(word);
   } else if (error == std::errc::result_out_of_range) {
     if (!is_below_range(word)) parsed.fault = "is too large a number";
     parsed.value = 0;

@@ -17,7 +17,8 @@ struct ParsedInteger {
   const char* fault = nullptr;
 };
 
-/// The double nearest to the decimal number that is the whole of `word`; a leading '+' is allowed.
+/// The double nearest to the decimal number that is the whole of `word`; a leading '+' is allowed,
+/// and a D for the E of an exponent ("3.0D0", as Fortran writes it).
 /// Numbers too small for a double become zero. Words that are not a number, are not finite ("nan",
 /// "inf") or exceed the largest double have a fault.
 ParsedReal parse_real(std::string_view word);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "common/base/ascii_case.hpp"
 #include "common/base/errors.hpp"
+#include "common/base/file_kind.hpp"
 #include "common/wire/decode.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/spo_index.hpp"
@@ -19,7 +21,22 @@ SpoFile::SpoFile(std::string_view bytes, std::string name) : name_(std::move(nam
   scan();
 }
 
+void SpoFile::reject_other_kinds() const {
+  const auto kind = find_file_kind(bytes_);
+  const std::string extension = to_lower_case(std::filesystem::path(name_).extension().string());
+  const bool is_mesh = kind ? kind->is_mesh
+                            : extension == ".off" || extension == ".obj" || extension == ".stl" ||
+                                  extension == ".ply";
+  if (kind && kind->extension == ".spo") return;
+  if (is_mesh) {
+    throw BadInput("is " + (kind ? kind->name : std::string("a mesh by its name")) +
+                   ", not a .spo file: spoctree-server build makes one of it");
+  }
+  if (kind) throw BadInput("is " + kind->name + ", not a .spo file");
+}
+
 void SpoFile::scan() try {
+  reject_other_kinds();
   const std::uint64_t index_begin = open_trailer(bytes_, bytes_.size());
   const std::string_view file = bytes_.substr(0, bytes_.size() - kTrailerBytes);
   Hasher hasher;

@@ -49,6 +49,8 @@ class SpoFile {
   Octree tree(std::uint32_t levels = 0) const;
 
  private:
+  /// Throws BadInput (without the name) for what is evidently another kind of file.
+  void reject_other_kinds() const;
   void scan();
 
   std::optional<MappedFile> mapped_;

@@ -67,6 +67,7 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
                  const BuildProgress& progress, std::vector<std::string>& changes) {
   progress(kReading.name, kReading.begin);
   PolygonSoup soup = read_mesh(mesh);
+  const std::vector<std::string> remarks = std::move(soup.remarks);
   if (soup.collapsed.count > 0) {
     changes.push_back("dropped: " + std::to_string(soup.collapsed.count) +
                       " faces with fewer than three different corners, the first is face " +
@@ -90,6 +91,8 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   // Of the file itself it need not be true any more.
   std::string name = mesh.string();
   if (!changes.empty()) name += options.repair ? ", after repair" : ", without its collapsed faces";
+  changes.insert(changes.begin(), remarks.begin(), remarks.end());
+  for (const std::string& remark : remarks) refusals.append(" (").append(remark).append(")");
   try {
     Solid solid = import_solid(std::move(soup), name, import_options);
     changes.insert(changes.end(), solid.report.settled.begin(), solid.report.settled.end());

@@ -89,6 +89,10 @@ std::string info_of_mesh(const InfoArguments& arguments) {
     upper = glm::max(upper, point);
   }
   const SolidReport& report = solid.report;
+  std::string remarks;
+  for (const std::string& remark : soup.remarks) {
+    remarks.append(remarks.empty() ? "" : ",").append(quote_json(remark));
+  }
   const Fields fields = {
       {"file", quote_json(arguments.file)},
       {"faces", std::to_string(soup.face_count())},
@@ -105,6 +109,7 @@ std::string info_of_mesh(const InfoArguments& arguments) {
       {"merged_points", std::to_string(report.merged_points)},
       {"planes_before_merging", std::to_string(report.planes_before_merging)},
       {"largest_move", to_text(report.largest_move)},
+      {"remarks", "[" + remarks + "]"},
   };
   return arguments.as_json ? to_json(fields) : to_lines(fields);
 }

@@ -9,6 +9,9 @@ namespace spoctree::mesh_limits {
 
 inline constexpr std::uint64_t kMaxFileBytes = std::uint64_t{4} << 30;
 
+// Of a file with a name that is no mesh's, to say what it is.
+inline constexpr std::size_t kMaxBytesForKind = std::size_t{1} << 22;
+
 // Point and corner numbers are 32 bits wide; these stay well inside.
 inline constexpr std::uint64_t kMaxPoints = std::uint64_t{1} << 27;
 inline constexpr std::uint64_t kMaxFaces = std::uint64_t{1} << 28;

@@ -18,8 +18,8 @@ class ObjReader {
   PolygonSoup read() {
     while (cursor_.next_line()) {
       const std::string_view keyword = cursor_.next_word();
-      if (keyword == "v") read_vertex();
-      if (keyword == "f") read_face();
+      if (keyword == "v" || keyword == "V") read_vertex();
+      if (is_face(keyword)) read_face();
     }
     if (highest_index_ > soup_.points.size()) {
       fail_outside(highest_index_line_, std::to_string(highest_index_));
@@ -30,6 +30,11 @@ class ObjReader {
   }
 
  private:
+  // "fo" is what it was called when a face was an outline.
+  static bool is_face(std::string_view word) {
+    return word == "f" || word == "F" || word == "fo" || word == "FO";
+  }
+
   void read_vertex() {
     const Item vertex{"vertex", soup_.points.size() + 1};
     if (soup_.points.size() == mesh_limits::kMaxPoints) {
@@ -47,6 +52,12 @@ class ObjReader {
     const std::size_t line = cursor_.line();
     for (std::string_view word; !(word = cursor_.next_word()).empty();) {
       soup_.corners.push_back(vertex_of_corner(word));
+    }
+    const std::size_t corners = soup_.corners.size() - soup_.first_corner.back();
+    if (corners < 3 && corners > 0 && cursor_.rest().empty()) {
+      cursor_.fail_at(line, "the face has " + std::to_string(corners) +
+                                (corners == 1 ? " corner" : " corners") +
+                                ", and the file ends with it: it has been cut off");
     }
     const std::string fault = close_face(soup_, 1);
     if (!fault.empty()) cursor_.fail_at(line, "the face " + fault);

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "common/base/errors.hpp"
+#include "server/mesh/closed_surface.hpp"
 #include "server/mesh/limits.hpp"
 #include "server/mesh/ply_header.hpp"
 #include "server/mesh/ply_rows.hpp"
@@ -23,6 +24,7 @@ const PlyElement& required_element(const PlyHeader& header, const char* element,
   return *found;
 }
 
+// Names are in lower case, whatever the file has.
 bool is_coordinate(const PlyProperty& property) {
   return property.name == "x" || property.name == "y" || property.name == "z";
 }
@@ -71,6 +73,7 @@ void skip_property(Rows& rows, const PlyProperty& property) {
 
 template <class Rows>
 void skip_element(Rows& rows, const PlyElement& element) {
+  if (element.properties.empty()) return;  // its rows hold nothing, not even lines
   for (std::uint64_t i = 0; i < element.count; ++i) {
     rows.begin_row({"row", i});
     for (const PlyProperty& property : element.properties) skip_property(rows, property);
@@ -143,8 +146,32 @@ PolygonSoup read_tables(Rows rows, const PlyHeader& header, const PlyElement& ve
       skip_element(rows, element);
     }
   }
-  rows.end();
+  // Where the header counts too few faces, those behind are missing in the surface.
+  if (const std::size_t behind = rows.bytes_behind(); behind > 0) {
+    if (!is_closed_surface(soup)) rows.fail_behind();
+    soup.remarks.push_back("ignored: " + std::to_string(behind) +
+                           (behind == 1 ? " byte" : " bytes") +
+                           " behind the last row that the header counts");
+  }
   return soup;
+}
+
+// Values on any lines may be found in a damaged file, too, by taking them for others. It shows by
+// the faces.
+PolygonSoup read_text_tables(std::string_view bytes, std::string_view name, const PlyHeader& header,
+                             const PlyElement& vertex, const PlyElement& face) {
+  try {
+    return read_tables(PlyTextRows(bytes, name, header, PlyTextLayout::Lines), header, vertex,
+                       face);
+  } catch (const BadInput&) {
+    try {
+      PolygonSoup soup = read_tables(PlyTextRows(bytes, name, header, PlyTextLayout::AnyLines),
+                                     header, vertex, face);
+      if (is_closed_surface(soup)) return soup;
+    } catch (const BadInput&) {
+    }
+    throw;
+  }
 }
 
 }  // namespace
@@ -157,7 +184,7 @@ PolygonSoup parse_ply(std::string_view bytes, std::string_view name) {
   check_vertex_properties(vertex, name);
   check_face_properties(face, name);
   if (header.encoding == PlyEncoding::Ascii) {
-    return read_tables(PlyTextRows(bytes, name, header), header, vertex, face);
+    return read_text_tables(bytes, name, header, vertex, face);
   }
   return read_tables(PlyBinaryRows(bytes, name, header), header, vertex, face);
 }

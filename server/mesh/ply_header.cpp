@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "common/base/ascii_case.hpp"
 #include "common/base/parse_number.hpp"
 #include "server/mesh/limits.hpp"
 #include "server/mesh/text_cursor.hpp"
@@ -13,7 +14,7 @@ namespace spoctree {
 
 namespace {
 
-std::optional<PlyScalar> scalar_named(std::string_view name) {
+std::optional<PlyScalar> scalar_named(const std::string& name) {
   using enum PlyScalar;
   static constexpr std::array<std::pair<std::string_view, PlyScalar>, 16> kNames = {{
       {"char", Int8},
@@ -43,16 +44,16 @@ class PlyHeaderReader {
  public:
   PlyHeaderReader(std::string_view bytes, std::string_view name)
       : size_bytes_(bytes.size()),
-        cursor_(bytes.substr(0, mesh_limits::kMaxPlyHeaderBytes), name, {.comment = '\0'}) {}
+        cursor_(bytes.substr(0, mesh_limits::kMaxPlyHeaderBytes), name, {.comments = ""}) {}
 
   PlyHeader read() {
     if (!cursor_.next_line()) cursor_.fail("the file is empty");
     const std::string_view magic = cursor_.next_word();
-    if (magic != "ply") cursor_.fail("expected ply, found " + quoted(magic));
+    if (!equals_in_any_case(magic, "ply")) cursor_.fail("expected ply, found " + quoted(magic));
     end_line();
     read_format();
     for (;;) {
-      const std::string_view keyword = next_statement();
+      const std::string keyword = next_statement();
       if (keyword == "end_header") break;
       if (keyword == "element") {
         read_element();
@@ -69,10 +70,10 @@ class PlyHeaderReader {
   }
 
  private:
-  // The first word of the next header line that means something.
-  std::string_view next_statement() {
+  // The first word of the next header line that means something. Words may be in capitals.
+  std::string next_statement() {
     while (cursor_.next_line()) {
-      const std::string_view keyword = cursor_.next_word();
+      std::string keyword = to_lower_case(cursor_.next_word());
       if (keyword != "comment" && keyword != "obj_info") return keyword;
     }
     cursor_.fail(size_bytes_ > mesh_limits::kMaxPlyHeaderBytes
@@ -81,10 +82,10 @@ class PlyHeaderReader {
                      : "the file ends before end_header");
   }
 
-  std::string_view word(const char* what) {
+  std::string word(const char* what) {
     const std::string_view found = cursor_.next_word();
     if (found.empty()) cursor_.fail(std::string("the line ends before the ") + what);
-    return found;
+    return to_lower_case(found);
   }
 
   void end_line() {
@@ -96,7 +97,7 @@ class PlyHeaderReader {
     if (const auto keyword = next_statement(); keyword != "format") {
       cursor_.fail("expected format, found " + quoted(keyword));
     }
-    const std::string_view encoding = word("format");
+    const std::string encoding = word("format");
     if (encoding == "ascii") {
       header_.encoding = PlyEncoding::Ascii;
     } else if (encoding == "binary_little_endian") {
@@ -106,7 +107,7 @@ class PlyHeaderReader {
     } else {
       cursor_.fail("unknown PLY format " + quoted(encoding));
     }
-    const std::string_view version = word("version");
+    const std::string version = word("version");
     if (version != "1.0") cursor_.fail("PLY version " + quoted(version) + " is not 1.0");
     end_line();
   }
@@ -114,7 +115,7 @@ class PlyHeaderReader {
   void read_element() {
     PlyElement element;
     element.name = word("element's name");
-    const std::string_view count = word("element's count");
+    const std::string count = word("element's count");
     const ParsedInteger parsed = parse_integer(count);
     if (parsed.fault != nullptr || parsed.value < 0) {
       cursor_.fail("the count " + quoted(count) + " " +
@@ -132,7 +133,7 @@ class PlyHeaderReader {
   }
 
   PlyScalar scalar(const char* what) {
-    const std::string_view name = word(what);
+    const std::string name = word(what);
     const auto type = scalar_named(name);
     if (!type) cursor_.fail("unknown PLY type " + quoted(name));
     return *type;
@@ -141,7 +142,7 @@ class PlyHeaderReader {
   void read_property() {
     if (header_.elements.empty()) cursor_.fail("a property before the first element");
     PlyProperty property;
-    const std::string_view first = word("property's type");
+    const std::string first = word("property's type");
     if (first == "list") {
       property.is_list = true;
       property.count_type = scalar("type of the list's length");
@@ -181,9 +182,7 @@ class PlyHeaderReader {
     std::uint64_t left = size_bytes_ - header_.body_offset;
     if (header_.encoding == PlyEncoding::Ascii) ++left;
     for (const PlyElement& element : header_.elements) {
-      if (element.properties.empty()) {
-        cursor_.fail("the element " + quoted(element.name) + " has no properties");
-      }
+      if (element.properties.empty()) continue;
       const std::uint64_t row = min_row_bytes(element);
       if (element.count > left / row) {
         cursor_.fail("the header claims " + std::to_string(element.count) + " of the element " +

@@ -40,8 +40,9 @@ struct PlyHeader {
   const PlyElement* find(std::string_view name) const;
 };
 
-/// Reads the header of the PLY file `bytes`. The counts in it are sure to fit into the file: every
-/// element has a property, and the least space that all rows can take is there.
+/// Reads the header of the PLY file `bytes`; names come in lower case. The counts in it are sure to
+/// fit into the file: the least space that all rows can take is there. (Rows of an element without
+/// properties take none.)
 /// Throws BadInput("name:line: what") for a header that is malformed, over mesh_limits, or claims
 /// more than the file can hold. O(header bytes).
 PlyHeader parse_ply_header(std::string_view bytes, std::string_view name);

@@ -8,23 +8,39 @@ namespace spoctree {
 
 void PlyTextRows::begin_row(Item row) {
   row_ = row;
-  if (!cursor_.next_line()) cursor_.fail("the file ends before " + to_string(row));
+  if (is_by_lines_) {
+    if (cursor_.next_line()) return;
+  } else {
+    cursor_.go_to_next_word();
+    if (!cursor_.is_at_line_end()) return;
+  }
+  cursor_.fail("the file ends before " + to_string(row));
 }
 
 void PlyTextRows::skip(PlyScalar, std::uint64_t values) {
   for (std::uint64_t i = 0; i < values; ++i) {
+    go_to_value();
     if (cursor_.next_word().empty()) fail("has fewer values than its line should have");
   }
 }
 
 void PlyTextRows::end_row() {
+  if (!is_by_lines_) return;
   const std::string_view word = cursor_.next_word();
   if (!word.empty())
     fail("has more values than its line should have, from " + quoted(word) + " on");
 }
 
-void PlyTextRows::end() {
-  if (cursor_.next_line()) cursor_.fail("a line after the last one that the header counts");
+std::size_t PlyTextRows::bytes_behind() {
+  cursor_.go_to_next_word();
+  const std::string_view rest = cursor_.rest();
+  return rest.find_first_not_of(std::string_view(" \t\r\n\v\f\0\x1a", 8)) == rest.npos
+             ? 0
+             : rest.size();
+}
+
+void PlyTextRows::fail_behind() const {
+  cursor_.fail("a line after the last one that the header counts");
 }
 
 void PlyTextRows::fail(const std::string& what) const {
@@ -87,11 +103,9 @@ void PlyBinaryRows::skip(PlyScalar type, std::uint64_t values) {
   offset_ += values * byte_size(type);
 }
 
-void PlyBinaryRows::end() {
-  if (offset_ != bytes_.size()) {
-    fail_here("the file has " + std::to_string(bytes_.size() - offset_) +
-              " bytes more than its header counts");
-  }
+void PlyBinaryRows::fail_behind() const {
+  fail_here("the file has " + std::to_string(bytes_behind()) +
+            " bytes more than its header counts");
 }
 
 void PlyBinaryRows::fail(const std::string& what) const { fail_here(to_string(row_) + " " + what); }

@@ -12,22 +12,34 @@
 
 namespace spoctree {
 
-/// Rows as lines of numbers. Errors read "name:line: what". Text holds more digits than the type
-/// of its column may promise, and all of them are read.
+/// Where the rows of a text body stand: each on a line of its own, or their values on any lines.
+enum class PlyTextLayout { Lines, AnyLines };
+
+/// Rows of numbers. Errors read "name:line: what". Text holds more digits than the type of its
+/// column may promise, and all of them are read.
 class PlyTextRows {
  public:
-  PlyTextRows(std::string_view bytes, std::string_view name, const PlyHeader& header)
+  PlyTextRows(std::string_view bytes, std::string_view name, const PlyHeader& header,
+              PlyTextLayout layout)
       : cursor_(bytes.substr(header.body_offset), name,
-                {.comment = '\0', .first_line = header.body_line}) {}
+                {.comments = "", .first_line = header.body_line}),
+        is_by_lines_(layout == PlyTextLayout::Lines) {}
 
   void begin_row(Item row);
-  double coordinate(int axis, PlyScalar) { return cursor_.read_coordinate(row_, axis, digits_); }
-  std::int64_t integer(PlyScalar) { return cursor_.read_integer(row_); }
+  double coordinate(int axis, PlyScalar) {
+    go_to_value();
+    return cursor_.read_coordinate(row_, axis, digits_);
+  }
+  std::int64_t integer(PlyScalar) {
+    go_to_value();
+    return cursor_.read_integer(row_);
+  }
   void skip(PlyScalar type, std::uint64_t values);
   void end_row();
 
-  /// Throws unless nothing follows the last row.
-  void end();
+  /// How many bytes follow the last row, without blank lines.
+  std::size_t bytes_behind();
+  [[noreturn]] void fail_behind() const;
 
   /// Of the coordinates so far.
   Precision precision() const { return digits_.precision(); }
@@ -36,7 +48,12 @@ class PlyTextRows {
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
+  void go_to_value() {
+    if (!is_by_lines_) cursor_.go_to_next_word();
+  }
+
   TextCursor cursor_;
+  bool is_by_lines_;
   DigitRecord digits_;
   Item row_{"row", 0};
 };
@@ -56,7 +73,8 @@ class PlyBinaryRows {
   std::int64_t integer(PlyScalar type);
   void skip(PlyScalar type, std::uint64_t values);
   void end_row() {}
-  void end();
+  std::size_t bytes_behind() const { return bytes_.size() - offset_; }
+  [[noreturn]] void fail_behind() const;
   Precision precision() const { return bits_.precision(); }
   [[noreturn]] void fail(const std::string& what) const;
 

@@ -1,6 +1,7 @@
 #include "server/mesh/polygon_soup.hpp"
 
 #include <algorithm>
+#include <compare>
 #include <utility>
 
 #include "server/mesh/limits.hpp"
@@ -26,6 +27,9 @@ std::optional<std::uint32_t> repeated_vertex(std::span<const std::uint32_t> corn
 
 namespace {
 
+// Two loops that share a vertex, of three corners each.
+constexpr std::size_t kFewestTouchingCorners = 6;
+
 // Leaves out corners that are equal to the one before them, all around the face that begins there.
 void drop_equal_neighbours(std::vector<std::uint32_t>& corners, std::size_t first) {
   const auto begin = corners.begin() + static_cast<std::ptrdiff_t>(first);
@@ -43,11 +47,38 @@ bool has_equal_neighbours(std::span<const std::uint32_t> face) {
 
 }  // namespace
 
+std::optional<std::uint32_t> wrongly_repeated_vertex(std::span<const std::uint32_t> corners) {
+  const auto vertex = repeated_vertex(corners);
+  if (!vertex || corners.size() < kFewestTouchingCorners) return vertex;
+  struct Side {
+    std::uint32_t low;
+    std::uint32_t high;
+    int direction;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  sides.reserve(corners.size());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const std::uint32_t from = corners[i];
+    const std::uint32_t to = corners[i + 1 < corners.size() ? i + 1 : 0];
+    sides.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+  }
+  std::sort(sides.begin(), sides.end());
+  bool has_border = false;
+  for (std::size_t i = 0; i < sides.size();) {
+    const Side edge = sides[i];
+    int sum = 0;
+    for (; i < sides.size() && sides[i].low == edge.low && sides[i].high == edge.high; ++i)
+      sum += sides[i].direction;
+    if (sum < -1 || sum > 1) return vertex;
+    has_border = has_border || sum != 0;
+  }
+  return has_border ? std::nullopt : vertex;
+}
+
 std::string close_face(PolygonSoup& soup, std::uint32_t index_base) {
-  const std::size_t size = soup.corners.size() - soup.first_corner.back();
-  if (size < 3) {
-    return "has " + std::to_string(size) + (size == 1 ? " corner" : " corners") +
-           ", a face needs 3 or more";
+  if (soup.corners.size() == soup.first_corner.back()) {
+    return "has 0 corners, a face needs 3 or more";
   }
   drop_equal_neighbours(soup.corners, soup.first_corner.back());
   const auto face = std::span(soup.corners).subspan(soup.first_corner.back());
@@ -56,7 +87,7 @@ std::string close_face(PolygonSoup& soup, std::uint32_t index_base) {
     soup.corners.resize(soup.first_corner.back());
     return {};
   }
-  if (const auto vertex = repeated_vertex(face)) {
+  if (const auto vertex = wrongly_repeated_vertex(face)) {
     return "uses vertex " + std::to_string(std::uint64_t{*vertex} + index_base) + " more than once";
   }
   if (soup.corners.size() > mesh_limits::kMaxCorners) {
@@ -93,6 +124,7 @@ bool drop_collapsed_faces(PolygonSoup& soup) {
     }
   }
   kept.points = std::move(soup.points);
+  kept.remarks = std::move(soup.remarks);
   kept.precision = soup.precision;
   soup = std::move(kept);
   return true;

@@ -11,32 +11,49 @@
 #include <system_error>
 
 #include "common/base/errors.hpp"
+#include "common/base/file_kind.hpp"
 #include "server/mesh/limits.hpp"
 #include "server/mesh/merge_equal_points.hpp"
+#include "server/mesh/parse_binary_stl.hpp"
 #include "server/mesh/parse_obj.hpp"
 #include "server/mesh/parse_off.hpp"
 #include "server/mesh/parse_ply.hpp"
 #include "server/mesh/parse_stl.hpp"
-#include "server/mesh/text_cursor.hpp"
 
 namespace spoctree {
 
 namespace {
 
-const char* format_name(MeshFormat format) {
-  static constexpr std::array kNames = {"OFF", "OBJ", "STL", "PLY"};
-  return kNames[static_cast<std::size_t>(format)];
+std::string_view extension_of(MeshFormat format) {
+  static constexpr std::array<std::string_view, 4> kExtensions = {".off", ".obj", ".stl", ".ply"};
+  return kExtensions[static_cast<std::size_t>(format)];
 }
 
-// What the content says of itself, if anything: OBJ files, and OFF files without a keyword, have no
-// mark of their own.
-std::optional<MeshFormat> format_of_content(std::string_view bytes) {
-  if (has_size_of_binary_stl(bytes)) return MeshFormat::Stl;
-  const std::string_view word = TextCursor(bytes, "").next_word_of_any_line();
-  if (word == "ply") return MeshFormat::Ply;
-  if (word == "solid") return MeshFormat::Stl;
-  if (parse_off_keyword(word)) return MeshFormat::Off;
-  return std::nullopt;
+// Behind a NUL byte in its header comes what a binary STL file has there.
+bool is_binary_stl(std::string_view bytes) {
+  constexpr std::size_t kHeaderBytes = 84;
+  return bytes.substr(0, kHeaderBytes).find('\0') != bytes.npos && looks_like_binary_stl(bytes);
+}
+
+// Says what it is: "part.obj: is a STEP file: export it as ...".
+[[noreturn]] void fail_as(const FileKind& kind, std::string_view name) {
+  std::string message = std::string(name) + ": is " + kind.name;
+  if (kind.is_mesh) {
+    message.append(": its name should end in ").append(kind.extension);
+  } else if (!kind.hint.empty()) {
+    message.append(": ").append(kind.hint);
+  } else {
+    message += ", not a mesh";
+  }
+  throw BadInput(message);
+}
+
+// OBJ files, and OFF files without a keyword, need have no mark of their own.
+void reject_other_kinds(MeshFormat format, std::string_view bytes, std::string_view name) {
+  std::optional<FileKind> kind = find_file_kind(bytes);
+  if (!kind && format != MeshFormat::Stl && is_binary_stl(bytes))
+    kind = FileKind{"an STL mesh", "", true, ".stl"};
+  if (kind && kind->extension != extension_of(format)) fail_as(*kind, name);
 }
 
 /// A pipe or a device has no size to hold the file's counts against.
@@ -49,6 +66,14 @@ void require_regular_file(const std::filesystem::path& path) {
   }
 }
 
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File open_file(const std::filesystem::path& path) {
+  File file(std::fopen(path.c_str(), "rb"), &std::fclose);
+  if (!file) throw BadInput(path.string() + ": cannot open: " + std::strerror(errno));
+  return file;
+}
+
 std::string read_whole_file(const std::filesystem::path& path) {
   const auto fail = [&](const std::string& what) { throw BadInput(path.string() + ": " + what); };
   std::error_code error;
@@ -58,12 +83,23 @@ std::string read_whole_file(const std::filesystem::path& path) {
     fail("the file has " + std::to_string(size) + " bytes, the limit is " +
          std::to_string(mesh_limits::kMaxFileBytes));
   }
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"),
-                                                             &std::fclose);
-  if (!file) fail(std::string("cannot open: ") + std::strerror(errno));
+  const File file = open_file(path);
   std::string bytes(size, '\0');
   if (std::fread(bytes.data(), 1, bytes.size(), file.get()) != bytes.size()) fail("cannot read");
   return bytes;
+}
+
+// Of a file that will not be read: what shows its kind.
+[[noreturn]] void reject_extension(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::string bytes(mesh_limits::kMaxBytesForKind, '\0');
+  bytes.resize(std::fread(bytes.data(), 1, bytes.size(), open_file(path).get()));
+  const auto kind = find_file_kind(bytes);
+  if (kind && !kind->is_mesh) fail_as(*kind, name);
+  std::string message = name + ": unknown mesh format (the name should end in ";
+  if (kind)
+    throw BadInput(message.append(kind->extension).append(": it is ").append(kind->name) + ")");
+  throw BadInput(message + ".off, .obj, .stl or .ply)");
 }
 
 PolygonSoup parse_format(MeshFormat format, std::string_view bytes, std::string_view name) {
@@ -80,13 +116,14 @@ PolygonSoup parse_format(MeshFormat format, std::string_view bytes, std::string_
   return parse_ply(bytes, name);
 }
 
-// Polygons with a point twice, though under different numbers, found by merging.
+// Polygons that are none because they have a point twice, though under different numbers: found by
+// merging.
 void reject_pinched_faces(const PolygonSoup& soup, std::string_view name) {
   std::size_t count = 0;
   glm::dvec3 first{};
   for (std::size_t i = 0; i < soup.face_count(); ++i) {
     if (soup.face(i).size() == 3) continue;
-    const auto vertex = repeated_vertex(soup.face(i));
+    const auto vertex = wrongly_repeated_vertex(soup.face(i));
     if (vertex && count++ == 0) first = soup.points[*vertex];
   }
   if (count == 0) return;
@@ -118,10 +155,7 @@ std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path)
 
 PolygonSoup parse_mesh(MeshFormat format, std::string_view bytes, std::string_view name) {
   if (bytes.empty()) throw BadInput(std::string(name) + ": the file is empty");
-  if (const auto content = format_of_content(bytes); content && *content != format) {
-    throw BadInput(std::string(name) + ": the name says " + format_name(format) +
-                   ", the content is " + format_name(*content));
-  }
+  reject_other_kinds(format, bytes, name);
   PolygonSoup soup = parse_format(format, bytes, name);
   // STL has merged its corners while reading.
   if (format != MeshFormat::Stl || soup.collapsed.count > 0) merge_equal_points(soup);
@@ -134,10 +168,7 @@ PolygonSoup read_mesh(const std::filesystem::path& path) {
   const std::string name = path.string();
   require_regular_file(path);
   const auto format = format_of_extension(path);
-  if (!format) {
-    throw BadInput(name +
-                   ": unknown mesh format (the name should end in .off, .obj, .stl or .ply)");
-  }
+  if (!format) reject_extension(path);
   try {
     return parse_mesh(*format, read_whole_file(path), name);
   } catch (const std::bad_alloc&) {

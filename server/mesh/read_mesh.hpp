@@ -15,13 +15,14 @@ enum class MeshFormat { Off, Obj, Stl, Ply };
 std::optional<MeshFormat> format_of_extension(const std::filesystem::path& path);
 
 /// Reads an OFF, OBJ, STL or PLY file. The extension (in any case) names the format; a file whose
-/// content is evidently another of the four is rejected. Exactly equal points are merged, faces
-/// that have fewer than three different corners are left out (soup.collapsed), and unused points
-/// removed (merge_equal_points). In the soup every corner is the number of a point, every
-/// coordinate is finite, and every face has three or more different points; nothing else about the
-/// shape is judged. Linear in the size of the file.
-/// Throws BadInput, naming the file and the place in it, for anything that is not such a file or
-/// goes over server/mesh/limits.hpp.
+/// content is evidently something else is rejected by its kind's name (find_file_kind). Exactly
+/// equal points are merged, faces that have fewer than three different corners are left out
+/// (soup.collapsed), and unused points removed (merge_equal_points). In the soup every corner is
+/// the number of a point, every coordinate is finite, and every face has three or more different
+/// points, none of them twice but as wrongly_repeated_vertex allows; nothing else about the shape
+/// is judged. Linear in the size of the file, n log n for some odd ones. Throws BadInput, naming
+/// the file and the place in it, for anything that is not such a file or goes over
+/// server/mesh/limits.hpp.
 PolygonSoup read_mesh(const std::filesystem::path& path);
 
 /// The same for a file's content; `name` stands before error messages.

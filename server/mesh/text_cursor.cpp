@@ -8,10 +8,6 @@
 
 namespace spoctree {
 
-namespace {
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-}  // namespace
-
 std::string to_string(Item item) { return item.kind + (' ' + std::to_string(item.number)); }
 
 std::string quoted(std::string_view word) {
@@ -29,61 +25,101 @@ std::string quoted(std::string_view word) {
   return text + "'";
 }
 
+TextCursor::TextCursor(std::string_view bytes, std::string_view name, const Syntax& syntax)
+    : bytes_(bytes),
+      name_(name),
+      joins_lines_(syntax.backslash_joins_lines),
+      line_(syntax.first_line) {
+  for (const unsigned char c : {' ', '\t', '\v', '\f'}) kinds_[c] = Kind::Blank;
+  for (const unsigned char c : {'\n', '\r'}) kinds_[c] = Kind::LineEnd;
+  for (const char c : syntax.comments) kinds_[static_cast<unsigned char>(c)] = Kind::Comment;
+  if (joins_lines_) kinds_['\\'] = Kind::Backslash;
+  if (line_ == 1 && bytes.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+}
+
+void TextCursor::skip_line() {
+  while (position_ < bytes_.size() && kind_at(position_) != Kind::LineEnd) ++position_;
+}
+
+void TextCursor::step_over_one_line_end() {
+  if (bytes_[position_] == '\r' && position_ + 1 < bytes_.size() && bytes_[position_ + 1] == '\n')
+    ++position_;
+  ++position_;
+  ++line_;
+}
+
 void TextCursor::skip_blanks() {
-  while (position_ < bytes_.size()) {
-    const char c = bytes_[position_];
-    if (is_blank(c)) {
-      ++position_;
-    } else if (c == syntax_.comment && c != '\0') {
-      position_ = std::min(bytes_.find('\n', position_), bytes_.size());
-      return;
-    } else if (c != '\\' || !skip_joined_line_end()) {
-      return;
+  for (; position_ < bytes_.size(); ++position_) {
+    switch (kind_at(position_)) {
+      case Kind::Blank:
+        continue;
+      case Kind::Comment:
+        return skip_line();
+      case Kind::Backslash:
+        if (!skip_joined_line_end()) return;
+        --position_;  // the loop steps on
+        continue;
+      case Kind::Word:
+      case Kind::LineEnd:
+        return;
     }
   }
 }
 
 bool TextCursor::skip_joined_line_end() {
-  if (!syntax_.backslash_joins_lines) return false;
-  std::size_t end = position_ + 1;
-  if (end < bytes_.size() && bytes_[end] == '\r') ++end;
-  if (end < bytes_.size() && bytes_[end] != '\n') return false;
-  position_ = std::min(end + 1, bytes_.size());
-  ++line_;
+  if (position_ + 1 < bytes_.size() && kind_at(position_ + 1) != Kind::LineEnd) return false;
+  ++position_;
+  if (position_ < bytes_.size()) {
+    step_over_one_line_end();
+  } else {
+    ++line_;
+  }
   return true;
 }
 
 std::string_view TextCursor::next_word() {
   skip_blanks();
   const std::size_t begin = position_;
-  while (position_ < bytes_.size()) {
-    const char c = bytes_[position_];
-    if (is_blank(c) || c == '\n' || (c == syntax_.comment && c != '\0')) break;
-    if (c == '\\' && syntax_.backslash_joins_lines) {
-      const std::string_view rest = bytes_.substr(position_ + 1);
-      if (rest.empty() || rest.starts_with('\n') || rest.starts_with("\r\n")) break;
-    }
-    ++position_;
+  for (; position_ < bytes_.size(); ++position_) {
+    const Kind kind = kind_at(position_);
+    if (kind == Kind::Word) continue;
+    if (kind != Kind::Backslash) break;
+    const bool is_last = position_ + 1 == bytes_.size();
+    if (is_last || kind_at(position_ + 1) == Kind::LineEnd) break;
   }
   return bytes_.substr(begin, position_ - begin);
 }
 
 bool TextCursor::next_line() {
   if (started_) {
-    if (syntax_.backslash_joins_lines) {
+    if (joins_lines_) {
       while (!next_word().empty()) {
       }
     } else {
-      position_ = std::min(bytes_.find('\n', position_), bytes_.size());
+      skip_line();
     }
   }
   started_ = true;
   for (skip_blanks(); position_ < bytes_.size(); skip_blanks()) {
-    if (bytes_[position_] != '\n') return true;
-    ++position_;
-    ++line_;
+    if (kind_at(position_) != Kind::LineEnd) return true;
+    step_over_one_line_end();
   }
   return false;
+}
+
+bool TextCursor::is_at_line_end() {
+  skip_blanks();
+  return position_ == bytes_.size() || kind_at(position_) == Kind::LineEnd;
+}
+
+std::string_view TextCursor::peek_word() const {
+  TextCursor ahead = *this;
+  return ahead.next_word_of_any_line();
+}
+
+void TextCursor::go_to_next_word() {
+  started_ = true;
+  if (is_at_line_end()) next_line();
 }
 
 std::string_view TextCursor::next_word_of_any_line() {
@@ -118,11 +154,18 @@ std::int64_t TextCursor::read_integer(Item item) {
 }
 
 std::size_t TextCursor::step_over_line_end() {
-  while (position_ < bytes_.size() && is_blank(bytes_[position_])) ++position_;
-  if (position_ < bytes_.size()) {
-    if (bytes_[position_] != '\n') fail("unexpected " + quoted(next_word()) + " in the line");
+  while (position_ < bytes_.size() && kind_at(position_) == Kind::Blank) ++position_;
+  if (position_ == bytes_.size()) return position_;
+  if (kind_at(position_) != Kind::LineEnd)
+    fail("unexpected " + quoted(next_word()) + " in the line");
+  const std::size_t first_end = bytes_.find_first_of("\r\n");
+  const bool has_lone_returns =
+      bytes_.substr(first_end, 1) == "\r" && bytes_.substr(first_end, 2) != "\r\n";
+  if (has_lone_returns && bytes_[position_] == '\r') {
     ++position_;
     ++line_;
+  } else {
+    step_over_one_line_end();
   }
   return position_;
 }

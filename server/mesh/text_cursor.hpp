@@ -2,6 +2,7 @@
 // error message needs. All the text formats are read through it.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -22,22 +23,20 @@ std::string to_string(Item item);
 /// every byte that is not printable ASCII as \xNN.
 std::string quoted(std::string_view word);
 
-/// Walks over words separated by blanks (space, tab, CR, VT, FF); lines end with LF. A byte order
-/// mark of UTF-8, with which some editors begin a file, is no part of the first word. Views handed
-/// out point into `bytes`, which has to outlive the cursor. Linear in the size of the text.
+/// Walks over words separated by blanks (space, tab, VT, FF); lines end with LF, CR LF, or CR alone
+/// as on old Macs. A byte order mark of UTF-8, with which some editors begin a file, is no part of
+/// the first word. Views handed out point into `bytes`, which has to outlive the cursor. Linear in
+/// the size of the text.
 class TextCursor {
  public:
   struct Syntax {
-    char comment = '#';                  ///< starts a comment that ends with its line; '\0': none
-    bool backslash_joins_lines = false;  /// OBJ: a backslash as the last byte of a line
+    std::string_view comments = "#";     ///< each of them starts a comment that ends with its line
+    bool backslash_joins_lines = false;  ///< OBJ: a backslash as the last byte of a line
     std::size_t first_line = 1;          ///< number of the line that `bytes` begins with
   };
 
   TextCursor(std::string_view bytes, std::string_view name) : TextCursor(bytes, name, Syntax()) {}
-  TextCursor(std::string_view bytes, std::string_view name, Syntax syntax)
-      : bytes_(bytes), name_(name), syntax_(syntax), line_(syntax.first_line) {
-    if (line_ == 1 && bytes.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
-  }
+  TextCursor(std::string_view bytes, std::string_view name, const Syntax& syntax);
 
   /// Leaves the rest of this line and goes to the first word of the next line that has one. False
   /// at the end of the text. The first call goes to the first line.
@@ -49,6 +48,20 @@ class TextCursor {
   /// The next word of this or a later line; empty at the end of the text.
   std::string_view next_word_of_any_line();
 
+  /// The same without going there.
+  std::string_view peek_word() const;
+
+  /// Goes to the end of this line, or of the text.
+  void skip_line();
+  void skip_to_end() { position_ = bytes_.size(); }
+
+  /// Whether the next word stands behind a line end, or there is none.
+  bool is_at_line_end();
+
+  /// Goes to the line of the next word, where this one has no more: what is read then may stand on
+  /// any line.
+  void go_to_next_word();
+
   /// The next word of this line as a finite number, or an error that names `item`.
   double read_real(Item item);
 
@@ -59,8 +72,12 @@ class TextCursor {
   std::int64_t read_integer(Item item);
 
   /// Steps over the end of this line, which may hold nothing but blanks, and returns the offset of
-  /// the byte after it. Nothing behind the line end is looked at. Throws BadInput.
+  /// the byte after it. Nothing behind the line end is looked at: a text whose first line ends with
+  /// CR alone may go on with LF as its data. Throws BadInput.
   std::size_t step_over_line_end();
+
+  /// What has not been read yet.
+  std::string_view rest() const { return bytes_.substr(position_); }
 
   std::size_t line() const { return line_; }
 
@@ -71,13 +88,20 @@ class TextCursor {
  private:
   static constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
+  enum class Kind : std::uint8_t { Word, Blank, LineEnd, Comment, Backslash };
+
+  Kind kind_at(std::size_t position) const {
+    return kinds_[static_cast<unsigned char>(bytes_[position])];
+  }
+  void step_over_one_line_end();
   void skip_blanks();
   bool skip_joined_line_end();
   double to_real(std::string_view word, Item item) const;
 
   std::string_view bytes_;
   std::string_view name_;
-  Syntax syntax_;
+  std::array<Kind, 256> kinds_{};  // of every byte
+  bool joins_lines_;
   std::size_t position_ = 0;
   std::size_t line_;
   bool started_ = false;

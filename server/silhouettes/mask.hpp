@@ -1,6 +1,7 @@
 // A silhouette: which pixels of a view show the object.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,6 +25,8 @@ struct Mask {
 
   std::uint8_t& at(int column, int row) { return pixels[index(column, row)]; }
   std::uint8_t at(int column, int row) const { return pixels[index(column, row)]; }
+
+  bool has_object() const { return std::find(pixels.begin(), pixels.end(), 1) != pixels.end(); }
 
   bool operator==(const Mask&) const = default;
 

@@ -12,7 +12,7 @@ class NetpbmReader {
  public:
   NetpbmReader(std::string_view bytes, std::string_view name) : bytes_(bytes), name_(name) {}
 
-  Mask read() {
+  MaskReading read() {
     const char format = bytes_[1];
     const bool is_bitmap = format == '1' || format == '4';
     at_ = 2;
@@ -21,20 +21,21 @@ class NetpbmReader {
     const int most = is_bitmap ? 1 : read_number("the largest value", 65535);
     if (width < 1 || height < 1) fail("a picture without pixels");
     if (most < 1) fail("the largest value is 0");
-    Mask mask(width, height);
-    if (format == '1' || format == '2') {
-      for (std::uint8_t& pixel : mask.pixels) {
-        const int value = format == '1' ? read_bit() : read_number("a pixel", most);
-        pixel = 2 * value >= most;
-      }
+    MaskReading reading;
+    if (is_bitmap) {
+      reading.mask = Mask(width, height);
+      format == '1' ? read_plain_bits(reading.mask) : read_raw_bits(reading.mask);
     } else {
-      if (at_ >= bytes_.size() || !is_space(bytes_[at_])) fail("a blank is missing");
-      ++at_;
-      format == '4' ? read_raw_bits(mask) : read_raw_values(mask, most);
+      const std::size_t pixels = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+      if (format == '5') step_over_blank();
+      require(format == '2' ? 2 * pixels - 1 : (most > 255 ? 2 : 1) * pixels);
+      Picture picture{width, height, most, std::vector<Pixel>(pixels)};
+      format == '2' ? read_plain_values(picture) : read_raw_values(picture);
+      reading = find_object(picture, name_);
     }
     skip_blanks();
     if (at_ < bytes_.size()) fail("something follows the last pixel");
-    return mask;
+    return reading;
   }
 
  private:
@@ -92,7 +93,12 @@ class NetpbmReader {
   }
   std::uint8_t next() { return static_cast<std::uint8_t>(bytes_[at_++]); }
 
+  void read_plain_bits(Mask& mask) {
+    for (std::uint8_t& pixel : mask.pixels) pixel = static_cast<std::uint8_t>(read_bit());
+  }
+
   void read_raw_bits(Mask& mask) {
+    step_over_blank();
     const int row_bytes = (mask.width + 7) / 8;
     require(static_cast<std::size_t>(row_bytes) * static_cast<std::size_t>(mask.height));
     for (int row = 0; row < mask.height; ++row) {
@@ -104,15 +110,28 @@ class NetpbmReader {
     }
   }
 
-  void read_raw_values(Mask& mask, int most) {
-    const std::size_t value_bytes = most > 255 ? 2 : 1;
-    require(value_bytes * mask.pixels.size());
-    for (std::uint8_t& pixel : mask.pixels) {
+  static Pixel grey(int value) {
+    const auto brightness = static_cast<std::uint16_t>(value);
+    return {brightness, brightness, brightness};
+  }
+
+  void read_plain_values(Picture& picture) {
+    for (Pixel& pixel : picture.pixels) pixel = grey(read_number("a pixel", picture.white));
+  }
+
+  void read_raw_values(Picture& picture) {
+    for (Pixel& pixel : picture.pixels) {
       int value = next();
-      if (value_bytes == 2) value = 256 * value + next();
-      if (value > most) fail("a pixel is more than " + std::to_string(most));
-      pixel = 2 * value >= most;
+      if (picture.white > 255) value = 256 * value + next();
+      if (value > picture.white) fail("a pixel is more than " + std::to_string(picture.white));
+      pixel = grey(value);
     }
+  }
+
+  // The one between the header and raw pixels.
+  void step_over_blank() {
+    if (at_ >= bytes_.size() || !is_space(bytes_[at_])) fail("a blank is missing");
+    ++at_;
   }
 
   std::string_view bytes_;
@@ -122,7 +141,7 @@ class NetpbmReader {
 
 }  // namespace
 
-Mask parse_netpbm(std::string_view bytes, std::string_view name) {
+MaskReading parse_netpbm(std::string_view bytes, std::string_view name) {
   return NetpbmReader(bytes, name).read();
 }
 

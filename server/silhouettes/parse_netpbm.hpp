@@ -3,12 +3,12 @@
 
 #include <string_view>
 
-#include "server/silhouettes/mask.hpp"
+#include "server/silhouettes/find_object.hpp"
 
 namespace spoctree {
 
 /// See read_mask.hpp. One picture a file: what follows it is an error. REQUIRES: bytes that begin
 /// with P1, P2, P4 or P5.
-Mask parse_netpbm(std::string_view bytes, std::string_view name);
+MaskReading parse_netpbm(std::string_view bytes, std::string_view name);
 
 }  // namespace spoctree

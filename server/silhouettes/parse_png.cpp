@@ -2,6 +2,7 @@
 
 #include <cairo.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -16,10 +17,6 @@ struct FreeSurface {
   void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
 };
 using Surface = std::unique_ptr<cairo_surface_t, FreeSurface>;
-struct FreeContext {
-  void operator()(cairo_t* context) const { cairo_destroy(context); }
-};
-
 struct Source {
   std::string_view bytes;
   std::size_t at = 0;
@@ -42,9 +39,10 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
+constexpr std::size_t kHeaderAt = 8;  // length, "IHDR", width, height, bits of a value, ...
+
 void check_size(std::string_view bytes, const std::string& name) {
-  constexpr std::size_t kHeaderAt = 8;  // length, "IHDR", width, height, ...
-  if (bytes.size() < kHeaderAt + 16 || bytes.substr(1, 7) != "PNG\r\n\x1a\n" ||
+  if (bytes.size() < kHeaderAt + 17 || bytes.substr(1, 7) != "PNG\r\n\x1a\n" ||
       bytes.substr(kHeaderAt + 4, 4) != "IHDR")
     throw BadInput(name + ": byte 0: not the beginning of a PNG file");
   const std::uint32_t width = big_endian(bytes, kHeaderAt + 8);
@@ -57,44 +55,57 @@ void check_size(std::string_view bytes, const std::string& name) {
   }
 }
 
+bool has_16_bits(std::string_view bytes) { return bytes[kHeaderAt + 16] == 16; }
+
+Picture picture_of(cairo_surface_t* surface) {
+  cairo_surface_flush(surface);
+  Picture picture;
+  picture.width = cairo_image_surface_get_width(surface);
+  picture.height = cairo_image_surface_get_height(surface);
+  picture.pixels.reserve(static_cast<std::size_t>(picture.width) *
+                         static_cast<std::size_t>(picture.height));
+  const bool has_alpha = cairo_image_surface_get_format(surface) == CAIRO_FORMAT_ARGB32;
+  const unsigned char* const data = cairo_image_surface_get_data(surface);
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+  for (int row = 0; row < picture.height; ++row) {
+    const unsigned char* pixel_data = data + static_cast<std::size_t>(row) * stride;
+    for (int column = 0; column < picture.width; ++column, pixel_data += 4) {
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, pixel_data, 4);
+      // Where a pixel lets through what is behind it, that is black.
+      const std::uint32_t red = bits >> 16 & 255;
+      const std::uint32_t green = bits >> 8 & 255;
+      const std::uint32_t blue = bits & 255;
+      const std::uint32_t brightness = (299 * red + 587 * green + 114 * blue + 500) / 1000;
+      picture.pixels.push_back({static_cast<std::uint16_t>(brightness),
+                                static_cast<std::uint16_t>(std::max({red, green, blue})),
+                                static_cast<std::uint16_t>(std::min({red, green, blue})),
+                                has_alpha && 2 * (bits >> 24) < 255});
+    }
+  }
+  return picture;
+}
+
 }  // namespace
 
-Mask parse_png(std::string_view bytes, std::string_view name) {
+MaskReading parse_png(std::string_view bytes, std::string_view name) {
   const std::string file(name);
   check_size(bytes, file);
   Source source{bytes};
-  const Surface picture(cairo_image_surface_create_from_png_stream(read_bytes, &source));
-  if (const cairo_status_t status = cairo_surface_status(picture.get());
+  const Surface surface(cairo_image_surface_create_from_png_stream(read_bytes, &source));
+  if (const cairo_status_t status = cairo_surface_status(surface.get());
       status != CAIRO_STATUS_SUCCESS) {
     throw BadInput(file + ": byte " + std::to_string(source.at) + ": broken PNG file (" +
                    cairo_status_to_string(status) + ")");
   }
-  Mask mask(cairo_image_surface_get_width(picture.get()),
-            cairo_image_surface_get_height(picture.get()));
-  // Before black, whatever the file's depth and transparency.
-  const Surface opaque(cairo_image_surface_create(CAIRO_FORMAT_RGB24, mask.width, mask.height));
-  {
-    const std::unique_ptr<cairo_t, FreeContext> context(cairo_create(opaque.get()));
-    cairo_set_source_surface(context.get(), picture.get(), 0, 0);
-    cairo_paint(context.get());
-    if (cairo_status(context.get()) != CAIRO_STATUS_SUCCESS)
-      throw BadInput(file + ": cannot be drawn");
+  MaskReading reading = find_object(picture_of(surface.get()), name);
+  // Of such values only the upper halves are here; labels are in the lower ones.
+  if (has_16_bits(bytes) && !reading.mask.has_object()) {
+    throw BadInput(file +
+                   ": it is dark: the brightest pixel is below 256 of 65535, and what is at "
+                   "least half of white is the object");
   }
-  cairo_surface_flush(opaque.get());
-  const unsigned char* const data = cairo_image_surface_get_data(opaque.get());
-  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(opaque.get()));
-  for (int row = 0; row < mask.height; ++row) {
-    for (int column = 0; column < mask.width; ++column) {
-      std::uint32_t pixel = 0;
-      std::memcpy(
-          &pixel,
-          data + static_cast<std::size_t>(row) * stride + 4 * static_cast<std::size_t>(column), 4);
-      const std::uint32_t brightness =
-          299 * (pixel >> 16 & 255) + 587 * (pixel >> 8 & 255) + 114 * (pixel & 255);
-      mask.at(column, row) = 2 * brightness >= 255'000;
-    }
-  }
-  return mask;
+  return reading;
 }
 
 }  // namespace spoctree

@@ -3,11 +3,11 @@
 
 #include <string_view>
 
-#include "server/silhouettes/mask.hpp"
+#include "server/silhouettes/find_object.hpp"
 
 namespace spoctree {
 
 /// See read_mask.hpp. The size is judged before anything is unpacked.
-Mask parse_png(std::string_view bytes, std::string_view name);
+MaskReading parse_png(std::string_view bytes, std::string_view name);
 
 }  // namespace spoctree

@@ -1,29 +1,19 @@
 #include "server/solid/triangulate.hpp"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "server/solid/first_found.hpp"
 #include "server/solid/grid_integers.hpp"
+#include "server/solid/split_polygon.hpp"
 
 namespace spoctree {
 
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point2 = Kernel::Point_2;
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<
-    Kernel, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
 using Face = std::span<const std::uint32_t>;
 
@@ -69,10 +59,11 @@ double unevenness(Face face, const std::vector<Vec3>& vertices, Vec3 normal) {
 
 // The face's corners seen along an axis, so that it runs counter-clockwise: dropping a coordinate
 // rounds nothing.
-std::vector<Point2> view(Face face, const std::vector<Vec3>& vertices, int axis, bool from_below) {
+std::vector<glm::dvec2> view(Face face, const std::vector<Vec3>& vertices, int axis,
+                             bool from_below) {
   const int u = (axis + (from_below ? 2 : 1)) % 3;
   const int v = (axis + (from_below ? 1 : 2)) % 3;
-  std::vector<Point2> points;
+  std::vector<glm::dvec2> points;
   points.reserve(face.size());
   for (const std::uint32_t i : face) points.emplace_back(vertices[i][u], vertices[i][v]);
   return points;
@@ -91,10 +82,11 @@ double thickness(Vec3 a, Vec3 b, Vec3 c) {
 
 // Of the diagonals that lie inside, the shorter one. A quadrilateral that splits into two triangles
 // of its own orientation is simple.
-bool split_quadrilateral(const std::vector<Point2>& p, Face face, const GridMesh& mesh,
+bool split_quadrilateral(const std::vector<glm::dvec2>& p, Face face, const GridMesh& mesh,
                          std::vector<Corners>& triangles) {
+  const auto point = [&](int i) { return Kernel::Point_2(p[i].x, p[i].y); };
   const auto is_left_turn = [&](int i, int j, int k) {
-    return CGAL::orientation(p[i], p[j], p[k]) == CGAL::LEFT_TURN;
+    return CGAL::orientation(point(i), point(j), point(k)) == CGAL::LEFT_TURN;
   };
   const bool can_02 = is_left_turn(0, 1, 2) && is_left_turn(0, 2, 3);
   const bool can_13 = is_left_turn(0, 1, 3) && is_left_turn(1, 2, 3);
@@ -123,63 +115,13 @@ bool split_quadrilateral(const std::vector<Point2>& p, Face face, const GridMesh
   return true;
 }
 
-// False, and no triangles, unless the corners are those of a simple polygon.
-bool split_polygon(const std::vector<Point2>& points, Face face, std::vector<Corners>& triangles) {
-  Delaunay delaunay;
-  std::vector<Delaunay::Vertex_handle> handles;
-  handles.reserve(face.size());
-  Delaunay::Face_handle hint;
-  for (std::size_t i = 0; i < face.size(); ++i) {
-    handles.push_back(delaunay.insert(points[i], hint));
-    handles.back()->info() = static_cast<std::uint32_t>(i);
-    hint = handles.back()->face();
-  }
-  if (delaunay.number_of_vertices() != face.size() || delaunay.dimension() != 2) return false;
-  try {
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      delaunay.insert_constraint(handles[i], handles[(i + 1) % face.size()]);
-    }
-  } catch (const Delaunay::Intersection_of_constraints_exception&) {
-    return false;
-  }
-  if (delaunay.number_of_vertices() != face.size()) return false;
-
-  // Every edge of the polygon must be whole (not split at a corner that touches it); the inside is
-  // what can be reached from the left of them. A simple polygon has n - 2 triangles there.
-  std::vector<Delaunay::Face_handle> reached;
-  for (const Delaunay::Face_handle f : delaunay.all_face_handles()) f->info() = false;
-  const auto reach = [&](Delaunay::Face_handle f) {
-    if (f->info() || delaunay.is_infinite(f)) return;
-    f->info() = true;
-    reached.push_back(f);
-  };
-  for (std::size_t i = 0; i < face.size(); ++i) {
-    Delaunay::Face_handle left;
-    int opposite = 0;
-    if (!delaunay.is_edge(handles[(i + 1) % face.size()], handles[i], left, opposite)) return false;
-    reach(left);
-  }
-  for (std::size_t i = 0; i < reached.size(); ++i) {
-    const Delaunay::Face_handle f = reached[i];
-    for (int edge = 0; edge < 3; ++edge) {
-      if (!f->is_constrained(edge)) reach(f->neighbor(edge));
-    }
-  }
-  if (reached.size() != face.size() - 2) return false;
-  for (const Delaunay::Face_handle f : reached) {
-    triangles.push_back(
-        {face[f->vertex(0)->info()], face[f->vertex(1)->info()], face[f->vertex(2)->info()]});
-  }
-  return true;
-}
-
 bool split_face(Face face, const GridMesh& mesh, Vec3 normal, std::vector<Corners>& triangles) {
   int axes[3] = {0, 1, 2};
   std::stable_sort(axes, axes + 3,
                    [&](int i, int j) { return std::abs(normal[i]) > std::abs(normal[j]); });
   for (const int axis : axes) {
     if (normal[axis] == 0) continue;
-    const std::vector<Point2> points = view(face, mesh.vertices, axis, normal[axis] < 0);
+    const std::vector<glm::dvec2> points = view(face, mesh.vertices, axis, normal[axis] < 0);
     if (face.size() == 4 ? split_quadrilateral(points, face, mesh, triangles)
                          : split_polygon(points, face, triangles)) {
       return true;

@@ -84,6 +84,41 @@ TEST_F(Silhouettes, AreRefusedIfTheyCannotBeMeant) {
   expect_refusal(build({}), 3, "cube.txt");
 }
 
+TEST_F(Silhouettes, AreReadFromPicturesOfLabelsAndAnEmptySolidIsExplained) {
+  const auto put = [&](const std::string& view, const std::string& row, int rows) {
+    std::string picture = "P2\n8 8\n255\n";
+    for (int y = 0; y < 8; ++y)
+      picture += (y >= 2 && y < 2 + rows ? row : "0 0 0 0 0 0 0 0") + "\n";
+    write_file(folder_.file("labels/" + view + ".pgm"), picture);
+  };
+  std::filesystem::create_directory(folder_.file("labels"));
+  const Arguments arguments = {
+      "build", folder_.file("labels"), "-o", folder_.file("part.spo"), "--cube", "0,0,0,8"};
+  for (const char* view : {"face-x", "face-y", "face-z"}) put(view, "0 0 1 1 1 1 0 0", 4);
+  Outcome outcome = run_silhouettes(arguments);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("face-x.pgm and 2 more: the brightest pixel is 1 of 255"),
+            std::string::npos)
+      << outcome.err;
+  const Outcome measured = run_client({"measure", folder_.file("part.spo"), "--json"});
+  EXPECT_NE(measured.out.find("64"), std::string::npos) << measured.out;  // 4 x 4 x 4
+
+  put("face-y", "0 0 0 0 0 0 0 0", 4);
+  outcome = run_silhouettes(arguments);
+  EXPECT_NE(outcome.err.find("face-y.pgm: every pixel is black"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("face-y.pgm shows no object"), std::string::npos) << outcome.err;
+
+  put("face-y", "255 255 0 0 0 0 0 0", 8);  // beside the others
+  outcome = run_silhouettes(arguments);
+  EXPECT_NE(outcome.err.find("labels/face-z.pgm shows nothing of what the masks before it leave"),
+            std::string::npos)
+      << outcome.err;
+
+  std::filesystem::remove(folder_.file("part.spo"));
+  put("face-y", "0 0 1 2 3 1 0 0", 4);
+  expect_refusal(run_silhouettes(arguments), 3, "the brightest pixel is 3 of 255");
+}
+
 TEST_F(Silhouettes, DoNotWriteOverAMask) {
   const std::string mask = masks_ + "/face-x.png";
   const std::string bytes = read_file(mask);

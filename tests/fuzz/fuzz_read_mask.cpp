@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace spoctree;
   if (size == 0) return 0;
   try {
-    Mask mask = parse_mask({reinterpret_cast<const char*>(data) + 1, size - 1}, "mask");
+    Mask mask = parse_mask({reinterpret_cast<const char*>(data) + 1, size - 1}, "mask").mask;
     if (mask.width > 300 || mask.height > 300) return 0;
     const Silhouette silhouette{data[0] % kViewCount, std::move(mask)};
     SilhouetteOptions options;

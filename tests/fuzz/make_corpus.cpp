@@ -52,10 +52,28 @@ void add_meshes(Corpus& corpus) {
   corpus.add("fuzz_off", "4OFF # x\n3 1\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 .5 .5 .5\n");
   corpus.add("fuzz_off", "STCNOFF\n3 1 0\n0 0 0 1 1 1\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n");
   corpus.add("fuzz_off", "nOFF 3\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1 1 2\n");
+  corpus.add("fuzz_off",
+             "off\n4 4\n6\n0\n0\n0 1 0 0\n0 1 0 0 0 1.0D0\n"
+             "3 0\n2 1\n3 0 1 3 3 0 3 2 3 1 2 3\n");
+  corpus.add("fuzz_off",
+             "COFF\n3 3\n0 0 0 1 1 1 1 1 0 0 0 0 0 0\n0 1 0 1 1\n1 1\n"
+             "3 0 1 2\n2 0 1\n1 0\n");
+  const std::string frame =
+      "0 0 0\n9 0 0\n9 9 0\n0 9 0\n3 3 0\n6 3 0\n6 6 0\n3 6 0\n10 0 1 2 3 0 4 7 6 5 4\n";
+  corpus.add("fuzz_off", "OFF 8 1 0\n" + frame);
   corpus.add("fuzz_obj", kTetrahedronObj);
+  corpus.add("fuzz_obj", "V 0 0 0\rV 1 0 0\rv 0 1 0\r# c\rfo 1 2 3\rF 1 2\rf 1 2 3 1 2 3 1\r");
   corpus.add("fuzz_obj", kTetrahedronObj + "v 1 1 \\\n1\nf -1 -2/1 \\\n-3//4\nf 1/1/1 2/2 3 3\n");
   corpus.add("fuzz_text_stl", kTetrahedronTextStl);
   corpus.add("fuzz_text_stl", kTetrahedronTextStl + kTetrahedronTextStl);
+  corpus.add("fuzz_text_stl",
+             "; c\nhead\nsolidx\nmore\ncolor 1 0 0\nfacet normal 0 0 1 outer loop # c\n"
+             "vertex 0 0 0 vertex\n1 0 0\nvertex 0 1d0 0 end loop\nend facet // c\n");
+  corpus.add("fuzz_text_stl", tetrahedron_binary_stl() + "behind");
+  std::string wrong_count = tetrahedron_binary_stl();
+  wrong_count[80] = 7;
+  corpus.add("fuzz_text_stl", wrong_count);
+  corpus.add("fuzz_text_stl", kTetrahedronTextStl + "\x1a and more\n");
   corpus.add("fuzz_binary_stl", tetrahedron_binary_stl());
   corpus.add("fuzz_binary_stl", tetrahedron_binary_stl("solid"));
   corpus.add("fuzz_text_ply", kTetrahedronTextPly);
@@ -64,8 +82,14 @@ void add_meshes(Corpus& corpus) {
              "element vertex 3\nproperty double z\nproperty uchar red\nproperty double y\n"
              "property double x\nelement face 1\nproperty list ushort uint vertex_index\n"
              "property float q\nend_header\n2 1 2\n0 1 0 0\n0 1 1 0\n0 1 0 1\n3 0 1 2 7\n");
+  corpus.add("fuzz_text_ply",
+             "PLY\rFORMAT ASCII 1.0\rELEMENT VERTEX 3\rPROPERTY FLOAT X\rPROPERTY FLOAT Y\r"
+             "PROPERTY FLOAT Z\rELEMENT NOTHING 3\rELEMENT FACE 2\r"
+             "PROPERTY LIST UCHAR INT VERTEX_INDEX\rEND_HEADER\r"
+             "0 0 0 1\r0 0 0 1 0\r3 0 1 2\r3\r2\r1\r0\rbehind");
   for (const ByteOrder order : {ByteOrder::LittleEndian, ByteOrder::BigEndian}) {
     corpus.add("fuzz_binary_ply", tetrahedron_binary_ply(order));
+    corpus.add("fuzz_binary_ply", tetrahedron_binary_ply(order) + "behind");
   }
 }
 
@@ -132,6 +156,8 @@ void add_masks(Corpus& corpus) {
       corpus.add("fuzz_mask", view + encode_mask(mask, format));
     corpus.add("fuzz_mask", std::string(1, view) + "P1\n# plain\n3 2\n0 1 1\n110");
     corpus.add("fuzz_mask", std::string(1, view) + "P2 3 1\n9\n4 5 9\n");
+    corpus.add("fuzz_mask", std::string(1, view) + "P2 3 1\n255\n0 1 1\n");
+    corpus.add("fuzz_mask", std::string(1, view) + "P5 3 1\n255\n\x01\x02\x03");
   }
 }
 

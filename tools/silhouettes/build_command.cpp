@@ -117,6 +117,28 @@ std::vector<Octree> build_trees(const Universe& cube, const std::vector<Silhouet
   }
 }
 
+void warn(const std::string& text) {
+  std::fprintf(stderr, "spoctree-silhouettes: %s\n", text.c_str());
+}
+
+/// Which of the first `used` masks leave nothing.
+std::string why_empty(const std::vector<MaskFile>& masks,
+                      const std::vector<Silhouette>& silhouettes, SilhouetteOptions options,
+                      std::size_t used) {
+  for (std::size_t i = 0; i < used; ++i) {
+    if (!silhouettes[i].mask.has_object()) return masks[i].path.string() + " shows no object";
+  }
+  options.stages.clear();
+  for (std::size_t i = 1; i <= used; ++i) options.stages.push_back(i);
+  const std::vector<double> volumes =
+      volumes_from_silhouettes(std::span(silhouettes).first(used), options);
+  std::size_t empty = 0;
+  while (empty + 1 < used && volumes[empty] > 0) ++empty;
+  const std::string last = masks[empty].path.string();
+  if (empty == 0) return last + " alone leaves no cell that is full";
+  return last + " shows nothing of what the masks before it leave";
+}
+
 /// A mask must not be lost by writing over it.
 void require_other_files(const std::vector<MaskFile>& masks, const std::string& output) {
   std::error_code ignored;
@@ -136,7 +158,9 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
   const Universe cube = !arguments.cube.empty() ? parse_cube(arguments.cube, "--cube")
                         : found                 ? *found
                                                 : cube_around({0, 0, 0}, 2);
-  const std::vector<Silhouette> silhouettes = read_silhouettes(masks);
+  const FoundSilhouettes found_masks = read_silhouettes(masks);
+  const std::vector<Silhouette>& silhouettes = found_masks.silhouettes;
+  for (const std::string& remark : found_masks.remarks) warn(remark);
   const double read_s = elapsed.seconds();
 
   SilhouetteOptions options;
@@ -171,11 +195,11 @@ void run_silhouette_build(const SilhouetteBuildArguments& arguments) {
       black += level.count_kinds()[static_cast<std::size_t>(NodeKind::Black)];
     }
     const double volume = trees[i].levels.back().statement.outer_volume;
-    if (volume == 0)
-      std::fprintf(stderr,
-                   "spoctree-silhouettes: %s is empty: no point of the cube projects into all of "
-                   "its %zu masks\n",
-                   names[i].c_str(), options.stages[i]);
+    if (volume == 0) {
+      warn(names[i] + " is empty: no point of the cube projects into all of its " +
+           std::to_string(options.stages[i]) + " masks; " +
+           why_empty(masks, silhouettes, options, options.stages[i]));
+    }
     const double side = cube.side();
     rows.push_back({std::to_string(options.stages[i]), std::to_string(nodes), std::to_string(black),
                     to_short_text(volume),

@@ -4,6 +4,7 @@
 #include <array>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "common/base/errors.hpp"
 #include "common/base/parallel.hpp"
@@ -89,12 +90,25 @@ std::optional<Universe> find_cube(const std::vector<std::string>& paths) {
   return {};
 }
 
-std::vector<Silhouette> read_silhouettes(const std::vector<MaskFile>& files) {
-  std::vector<Silhouette> silhouettes(files.size());
+FoundSilhouettes read_silhouettes(const std::vector<MaskFile>& files) {
+  FoundSilhouettes found;
+  found.silhouettes.resize(files.size());
+  std::vector<std::string> remarks(files.size());
   parallel_for(files.size(), [&](std::size_t i) {
-    silhouettes[i] = {files[i].view, read_mask(files[i].path)};
+    MaskReading reading = read_mask(files[i].path);
+    found.silhouettes[i] = {files[i].view, std::move(reading.mask)};
+    remarks[i] = std::move(reading.remark);
   });
-  return silhouettes;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (remarks[i].empty()) continue;
+    const auto first = std::find(remarks.begin(), remarks.end(), remarks[i]);
+    if (first != remarks.begin() + static_cast<std::ptrdiff_t>(i)) continue;
+    const auto alike = std::count(first, remarks.end(), remarks[i]) - 1;
+    found.remarks.push_back(files[i].path.string() +
+                            (alike > 0 ? " and " + std::to_string(alike) + " more" : "") + ": " +
+                            remarks[i]);
+  }
+  return found;
 }
 
 }  // namespace spoctree

@@ -25,7 +25,14 @@ std::vector<MaskFile> find_masks(const std::vector<std::string>& paths);
 /// one: the first.
 std::optional<Universe> find_cube(const std::vector<std::string>& paths);
 
-/// The files' silhouettes. Throws BadInput as read_mask does.
-std::vector<Silhouette> read_silhouettes(const std::vector<MaskFile>& files);
+/// Silhouettes, and what was remarked of their files: "face-x.pgm: every pixel is black", once
+/// where several files have the same remark.
+struct FoundSilhouettes {
+  std::vector<Silhouette> silhouettes;
+  std::vector<std::string> remarks;
+};
+
+/// Those of the files, in their order. Throws BadInput as read_mask does.
+FoundSilhouettes read_silhouettes(const std::vector<MaskFile>& files);
 
 }  // namespace spoctree

@@ -23,6 +23,23 @@ TEST(ParseReal, AcceptsALeadingPlusAndBareDots) {
   EXPECT_EQ(parse_real("5.").value, 5.0);
 }
 
+TEST(ParseReal, ReadsExponentsOfFortran) {
+  for (const char* word : {"3.0D0", "3d0", "0.3D+1", "300.d-02", "+3.0D0"}) {
+    EXPECT_EQ(parse_real(word).fault, nullptr) << word;
+    EXPECT_EQ(parse_real(word).value, 3.0) << word;
+  }
+  EXPECT_EQ(parse_real("1D-400").value, 0.0);
+  EXPECT_STREQ(parse_real("1D999").fault, "is too large a number");
+  for (const char* word : {"1d", "d0", "1d1d1", "1e1d1", "1d1e1", "dd"}) {
+    EXPECT_NE(parse_real(word).fault, nullptr) << word;
+  }
+}
+
+TEST(ParseReal, KnowsADecimalComma) {
+  EXPECT_STREQ(parse_real("1,5").fault, "is not a number (a comma where a point should be)");
+  EXPECT_STREQ(parse_real("1,5,0").fault, "is not a number");
+}
+
 TEST(ParseReal, RejectsWordsThatAreNotANumber) {
   for (const char* word : {"", "+", "-", "+-1", "++1", "abc", "1,5", "1.5x", "0x10", "1e", "--1"}) {
     EXPECT_NE(parse_real(word).fault, nullptr) << word;

@@ -1,10 +1,12 @@
 // What the tests of the mesh readers share: errors as text, soups as plain lists, files as bytes.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -45,7 +47,19 @@ inline std::string broken_promise(const PolygonSoup& soup) {
   if (soup.face_count() == 0) return "no face";
   for (const auto& face : faces_of(soup)) {
     if (face.size() < 3) return "small face";
-    if (std::set<std::uint32_t>(face.begin(), face.end()).size() != face.size()) return "repeats";
+    const std::size_t different = std::set<std::uint32_t>(face.begin(), face.end()).size();
+    if (different < 3) return "collapsed face";
+    if (different != face.size() && face.size() < 6) return "repeats";
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const std::uint32_t from = face[i];
+      const std::uint32_t to = face[(i + 1) % face.size()];
+      if (from == to) return "equal neighbours";
+      sides[std::minmax(from, to)] += from < to ? 1 : -1;
+    }
+    for (const auto& [ends, sum] : sides) {
+      if (sum < -1 || sum > 1) return "an edge more than once";
+    }
     for (const std::uint32_t corner : face) {
       if (corner >= soup.points.size()) return "corner out of range";
     }

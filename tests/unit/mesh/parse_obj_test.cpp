@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/mesh/mesh_test_support.hpp"
 
 namespace spoctree {
@@ -98,10 +100,44 @@ TEST(ReadObj, RejectsMalformedCorners) {
 
 TEST(ReadObj, RejectsFacesThatAreNone) {
   EXPECT_EQ(error(kPoints + "f\n"), "part.obj:5: the face has 0 corners, a face needs 3 or more");
-  EXPECT_EQ(error(kPoints + "f 1\n"), "part.obj:5: the face has 1 corner, a face needs 3 or more");
-  EXPECT_EQ(error(kPoints + "f 1 2\n"),
-            "part.obj:5: the face has 2 corners, a face needs 3 or more");
   EXPECT_EQ(error(kPoints + "f 1 2 3 2\n"), "part.obj:5: the face uses vertex 2 more than once");
+}
+
+TEST(ReadObj, ReadsLinesThatEndAsOnOldMacs) {
+  std::string mac = "# a comment \\\r" + kTetrahedronObj;
+  std::replace(mac.begin(), mac.end(), '\n', '\r');
+  expect_tetrahedron(mac);
+  expect_tetrahedron(mac + "\n");  // by an editor that ends every file so
+  EXPECT_EQ(error("v 0 0 0\rv 1 0 0\r\rv 1 0 z\r"), "part.obj:4: vertex 3: 'z' is not a number");
+  std::string joined = kPoints + "f 1 \\\n3 \\\n2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  std::replace(joined.begin(), joined.end(), '\n', '\r');
+  expect_tetrahedron(joined);
+}
+
+TEST(ReadObj, ReadsCapitalsAndTheOldNameOfFaces) {
+  std::string capitals = kTetrahedronObj;
+  for (char& c : capitals) c = c == 'v' ? 'V' : c == 'f' ? 'F' : c;
+  expect_tetrahedron(capitals);
+  expect_tetrahedron(kPoints + "fo 1 3 2\nfo 1 2 4\nfo 1 4 3\nfo 2 3 4\n");
+}
+
+TEST(ReadObj, LeavesOutFacesOfOneOrTwoCornersButForOneThatIsCutOff) {
+  const PolygonSoup soup = parse(kPoints + "f 1 2\n" + kFaces + "f 3\n");
+  EXPECT_EQ(faces_of(soup), kTetrahedronFaces);
+  EXPECT_EQ(soup.collapsed.count, 2U);
+  EXPECT_EQ(soup.collapsed.first, 0U);
+  EXPECT_EQ(error(kPoints + "f 1 3 2\nf 1 2"),
+            "part.obj:6: the face has 2 corners, and the file ends with it: it has been cut off");
+}
+
+TEST(ReadObj, LetsAFaceComeBackToAVertexByABridge) {
+  const std::string points = kPoints + "v 1 1 0\nv 1 0 1\nv 0 1 1\nv 1 1 1\n";
+  EXPECT_EQ(parse(points + "f 1 2 3 4 1 5 6 7 5\n").face(0).size(), 9U);  // by the edge 1-5
+  EXPECT_EQ(parse(points + "f 1 2 3 1 4 5\n").face(0).size(), 6U);        // at a point
+  EXPECT_EQ(error(points + "f 1 2 1 2 1 2\n"), "part.obj:9: the face uses vertex 1 more than once");
+  EXPECT_EQ(error(points + "f 1 2 3 4 3 2\n"), "part.obj:9: the face uses vertex 3 more than once");
+  EXPECT_EQ(error(points + "f 1 2 3 4 1 2 3 4\n"),
+            "part.obj:9: the face uses vertex 1 more than once");
 }
 
 TEST(ReadObj, RejectsBadCoordinates) {

@@ -90,19 +90,98 @@ TEST(ReadStl, WidensBinaryCoordinatesExactly) {
   EXPECT_EQ(soup.points[2].y, static_cast<double>(1e-40F));
 }
 
-TEST(ReadStl, RejectsBinaryCountsThatDisagreeWithTheSize) {
+std::string with_count(std::string bytes, std::uint32_t count) {
+  std::string four;
+  append(four, count);
+  return bytes.replace(80, 4, four);
+}
+
+TEST(ReadStl, ReadsBinaryFilesWhoseCountIsWrongIfTheFacetsCloseAndSaysSo) {
   for (const std::uint32_t count : {0U, 3U, 5U, 0xffffffffU}) {
-    std::string bytes = tetrahedron_binary_stl();
-    std::string four;
-    append(four, count);
-    bytes.replace(80, 4, four);
-    const std::string text = error(bytes);
+    const std::string bytes = with_count(tetrahedron_binary_stl(), count);
+    expect_tetrahedron(bytes);
+    EXPECT_EQ(
+        parse(bytes).remarks,
+        std::vector<std::string>{"the header's count is wrong: it claims " + std::to_string(count) +
+                                 " facets, the file has 4, which close"});
+  }
+}
+
+TEST(ReadStl, RejectsBinaryCountsThatDisagreeWithTheSizeIfTheFacetsDoNotClose) {
+  for (const std::uint32_t count : {0U, 2U, 4U, 0xffffffffU}) {
+    const std::string text =
+        error(with_count(tetrahedron_binary_stl().substr(0, 84 + 3 * 50), count));
     EXPECT_NE(text.find("part.stl: the file is neither text STL"), std::string::npos) << text;
     EXPECT_NE(text.find("claims " + std::to_string(count) + " facets"), std::string::npos) << text;
-    EXPECT_NE(text.find("the file has 284"), std::string::npos) << text;
+    EXPECT_NE(text.find("the file has 234"), std::string::npos) << text;
   }
-  EXPECT_NE(error(tetrahedron_binary_stl("solid") + '\0').find("claims 4 facets"),
-            std::string::npos);
+}
+
+TEST(ReadStl, IgnoresAndRemarksBytesBehindTheLastBinaryFacet) {
+  for (const char* header : {"", "solid"}) {
+    for (const std::size_t more : {1, 13, 49, 51, 512}) {
+      const std::string bytes = tetrahedron_binary_stl(header) + std::string(more, 'x');
+      expect_tetrahedron(bytes);
+      EXPECT_EQ(parse(bytes).remarks,
+                std::vector<std::string>{"ignored: " + std::to_string(more) +
+                                         (more == 1 ? " byte" : " bytes") +
+                                         " behind the last of the 4 facets that the header "
+                                         "counts"});
+    }
+  }
+  expect_tetrahedron(tetrahedron_binary_stl() + std::string(100, '\0'));
+}
+
+TEST(ReadStl, ReadsWhatOtherProgramsWriteAsText) {
+  const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size())
+      text.replace(at, from.size(), to);
+    return text;
+  };
+  const std::string& plain = kTetrahedronTextStl;
+  for (const std::string& text : {
+           replaced(plain, "endloop", "end loop"),
+           replaced(plain, "endfacet", "End Facet"),
+           replaced(plain, "endsolid", "end solid"),
+           replaced(plain, "endsolid ", "endsolid"),
+           replaced(plain, "endsolid ", "ENDSOLID"),
+           replaced(plain, "solid tetrahedron\nf", "solidTetrahedron\nf"),
+           replaced(plain, "facet normal", "# a comment\n; another\n// a third\nfacet normal"),
+           replaced(plain, "outer", "color 0.5 0.5 1\nouter"),
+           replaced(plain, "outer", "COLOR 1 0 0 1 outer"),
+           replaced(plain, "endfacet\n", "endfacet # done\ncolour red\n"),
+           replaced(plain, "\n", "\r"),
+           replaced(plain, "\n", "\r\n"),
+           replaced(plain, "\n", "\r\r\n"),
+           replaced(plain, "vertex 1 0 0", "vertex 1.0D0 0.d+00 0e0"),
+           replaced(plain, "vertex 1 0 0", "vertex\n1\n0\n0"),
+           replaced(plain, "facet normal 0 0 -1", "facet"),
+           replaced(plain, " ", "\t"),
+           "\xef\xbb\xbf# exported\n" + plain,
+           plain + "\n",
+       }) {
+    expect_tetrahedron(text);
+    EXPECT_TRUE(parse(text).remarks.empty()) << text;
+  }
+}
+
+TEST(ReadStl, RemarksWhatIsOddButEvident) {
+  const std::string& plain = kTetrahedronTextStl;
+  const std::size_t end = plain.find("endsolid");
+  const std::size_t first = plain.find("facet");
+  const std::pair<std::string, std::string> cases[] = {
+      {plain.substr(0, end), "the file ends without endsolid, behind facet 3 (counted from 0)"},
+      {plain.substr(first), "the file begins without solid"},
+      {"made by hand\n" + plain, "ignored: 1 line before the first solid"},
+      {"solid\nby me\non Monday\n" + plain.substr(first),
+       "ignored: 2 lines between solid and first facet"},
+      {plain + "bye\n", "ignored: 4 bytes behind the last solid"},
+      {plain + std::string(3, '\0'), "ignored: 3 bytes behind the last solid"},
+  };
+  for (const auto& [text, remark] : cases) {
+    expect_tetrahedron(text);
+    EXPECT_EQ(parse(text).remarks, std::vector<std::string>{remark}) << text;
+  }
 }
 
 TEST(ReadStl, RejectsABinaryFileWithoutFacets) {
@@ -151,11 +230,15 @@ TEST(ReadStl, NamesTheLineOfABadTextFacet) {
             "part.stl:7: facet 0: expected endfacet, found 'foo'");
 }
 
-TEST(ReadStl, RejectsTextThatEndsInsideASolid) {
-  EXPECT_EQ(error("solid\n" + kFacet),
-            "part.stl:9: facet 1: expected facet or endsolid, found the end of the file");
+TEST(ReadStl, RejectsTextThatEndsInsideAFacetOrBeforeTheFirst) {
   EXPECT_EQ(error("solid x"),
             "part.stl:1: facet 0: expected facet or endsolid, found the end of the file");
+  const std::string& plain = kTetrahedronTextStl;
+  for (std::size_t size = 1; size < plain.find("endsolid"); ++size) {
+    const std::string text = plain.substr(0, size);
+    if (text.ends_with("endfacet") || text.ends_with("endfacet\n")) continue;
+    EXPECT_NE(error(text), "no error") << text;
+  }
 }
 
 TEST(ReadStl, RejectsTextBehindTheLastSolid) {

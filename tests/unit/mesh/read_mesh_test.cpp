@@ -66,26 +66,30 @@ TEST_F(ReadMesh, SkipsAByteOrderMark) {
 
 TEST_F(ReadMesh, RejectsUnknownExtensions) {
   for (const char* name : {"a.step", "a", "a.off.gz", ".off"}) {
-    const auto path = write(name, kTetrahedronOff);
+    const auto path = write(name, "what is this?");
     EXPECT_EQ(error(path), path.string() +
                                ": unknown mesh format (the name should end in .off, .obj, .stl or "
                                ".ply)");
+    EXPECT_EQ(error(write(name, kTetrahedronOff)),
+              path.string() +
+                  ": unknown mesh format (the name should end in .off: it is an OFF "
+                  "mesh)");
   }
 }
 
 TEST_F(ReadMesh, RejectsContentOfAnotherFormat) {
-  const std::pair<std::string, std::string> contents[] = {{"OFF", kTetrahedronOff},
-                                                          {"STL", kTetrahedronTextStl},
-                                                          {"STL", tetrahedron_binary_stl()},
-                                                          {"PLY", kTetrahedronTextPly}};
-  const std::pair<std::string, std::string> names[] = {
-      {"OFF", "a.off"}, {"OBJ", "a.obj"}, {"STL", "a.stl"}, {"PLY", "a.ply"}};
+  const std::pair<std::string, std::string> contents[] = {
+      {"an OFF mesh: its name should end in .off", kTetrahedronOff},
+      {"an OBJ mesh: its name should end in .obj", kTetrahedronObj},
+      {"an STL mesh: its name should end in .stl", kTetrahedronTextStl},
+      {"an STL mesh: its name should end in .stl", tetrahedron_binary_stl()},
+      {"an STL mesh: its name should end in .stl", tetrahedron_binary_stl() + "more"},
+      {"a PLY mesh: its name should end in .ply", kTetrahedronTextPly}};
   for (const auto& [content, bytes] : contents) {
-    for (const auto& [format, name] : names) {
-      if (format == content) continue;
+    for (const char* name : {"a.off", "a.obj", "a.stl", "a.ply"}) {
+      if (content.ends_with(std::string(name).substr(1))) continue;
       const auto path = write(name, bytes);
-      EXPECT_EQ(error(path),
-                path.string() + ": the name says " + format + ", the content is " + content);
+      EXPECT_EQ(error(path), path.string() + ": is " + content);
     }
   }
   for (const char* name : {"a.off", "a.stl", "a.ply"}) {
@@ -125,9 +129,27 @@ TEST_F(ReadMesh, RejectsPolygonsThatTouchThemselvesAtAPoint) {
                              "(1.000000, 0.000000, 0.000000)");
 }
 
+TEST_F(ReadMesh, LetsPolygonsTouchThemselvesByABridgeThatMergingFinds) {
+  // A square with a square hole; the ends of the bridge stand twice, under numbers of their own.
+  const PolygonSoup soup =
+      read_mesh(write("a.off",
+                      "OFF 10 1 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 0\n1 1 0\n1 2 0\n2 2 0\n2 1 0\n"
+                      "1 1 0\n10 0 1 2 3 4 5 6 7 8 9\n"));
+  EXPECT_EQ(soup.points.size(), 8U);
+  EXPECT_EQ(soup.face(0).size(), 10U);
+}
+
+TEST_F(ReadMesh, RejectsOtherKindsOfFilesByName) {
+  for (const char* name : {"a.obj", "a.stl", "a.ply", "a.off", "a.step", "a"}) {
+    const auto path = write(name, "ISO-10303-21;\nHEADER;\n");
+    EXPECT_EQ(error(path),
+              path.string() + ": is a STEP file: export it as an STL, OBJ, OFF or PLY mesh");
+  }
+}
+
 TEST_F(ReadMesh, RejectsFilesOfCollapsedFacesOnly) {
-  const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 1\n");
-  EXPECT_EQ(error(path), path.string() + ": all 2 faces have fewer than three different corners");
+  const auto path = write("a.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 1\nf 2 1\n");
+  EXPECT_EQ(error(path), path.string() + ": all 3 faces have fewer than three different corners");
 }
 
 TEST_F(ReadMesh, RejectsEmptyFiles) {

@@ -13,6 +13,7 @@
 #include "common/report/level_rows.hpp"
 #include "common/report/text_table.hpp"
 #include "common/wire/address.hpp"
+#include "common/wire/percent_text.hpp"
 
 namespace spoctree {
 namespace {
@@ -37,18 +38,29 @@ TEST(ParseAddress, ReadsBackWhatToTextWrites) {
 }
 
 TEST(ParseSource, TellsServersFromFiles) {
-  const auto remote = std::get<RemoteModel>(parse_source("spo://host:12/a b/c%20"));
+  const auto remote = std::get<RemoteModel>(parse_source("spo://host:12/a b/c%2520%C3%a9"));
   EXPECT_EQ(remote.server, (Address{"host", 12}));
-  EXPECT_EQ(remote.name, "a b/c%20");
+  EXPECT_EQ(remote.name, "a b/c%20\xc3\xa9");
   EXPECT_EQ(std::get<RemoteModel>(parse_source("spo://[::1]")).name, "");
   EXPECT_EQ(std::get<ModelFile>(parse_source("dir/spo.spo")).path, "dir/spo.spo");
 }
 
 TEST(ParseSource, RejectsOtherSchemesAndBadNames) {
-  for (const char* text : {"http://host/x", "spo://", "spo:///x", "spo://h:1/a\x01"})
+  for (const char* text : {"http://host/x", "spo://", "spo:///x", "spo://h:1/a\x01", "spo://h/%",
+                           "spo://h/a%4", "spo://h/%g0", "spo://h/%0a", "spo://h/%c3"})
     EXPECT_THROW(parse_source(text), UsageError) << text;
   for (const char* text : {"host:1", "spo://host:1/name", "file.spo"})
     EXPECT_THROW(parse_server(text), UsageError) << text;
+}
+
+TEST(PercentText, IsReadBackAsItWasWritten) {
+  std::string every_byte;
+  for (int byte = 0; byte < 256; ++byte) every_byte += static_cast<char>(byte);
+  EXPECT_EQ(percent_decoded(percent_encoded(every_byte)), every_byte);
+  EXPECT_EQ(percent_encoded("My Part-1.2_~50%/é"), "My%20Part-1.2_~50%25%2Fé");
+  EXPECT_EQ(percent_decoded("%2fa%2F"), "/a/");
+  for (const char* text : {"%", "%1", "a%", "%%41", "%x1", "%1x"})
+    EXPECT_EQ(percent_decoded(text), std::nullopt) << text;
 }
 
 TEST(LevelFiles, NumberByPattern) {

@@ -148,6 +148,10 @@ TEST_F(SolidCorpus, BrokenMeshesAreRefusedForWhatTheirNamesSay) {
       EXPECT_EQ(solid.vertices.size(), 3132u);
       EXPECT_EQ(solid.triangles.size(), 6508u);
       ++count;
+    } else if (name == "made_zero-count.stl" || name == "made_count-4294967295.stl") {
+      // The header's count alone is wrong: all facets are there.
+      EXPECT_EQ(import_solid(read_mesh(path), name, {}).triangles.size(), 620u);
+      ++count;
     } else {
       EXPECT_NE(error_of(path), "");
     }

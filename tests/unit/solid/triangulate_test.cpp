@@ -127,6 +127,137 @@ TEST(Triangulate, RefusesPolygonsThatCrossOrTouchThemselves) {
   EXPECT_NE(import_error(prism(touching, 1)).find("2 polygons with edges"), std::string::npos);
 }
 
+// A prism of height 1 over an area whose border is given as one walk, with bridges to its holes,
+// and as the loops that it consists of, each with the area on its left.
+PolygonSoup prism_of_walk(const Polygon& points, const Face& walk, const std::vector<Face>& loops) {
+  PolygonSoup soup;
+  const auto add = [&](const Face& face) {
+    soup.corners.insert(soup.corners.end(), face.begin(), face.end());
+    soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
+  };
+  const auto count = static_cast<std::uint32_t>(points.size());
+  for (const double z : {0.0, 1.0}) {
+    for (const glm::dvec2& p : points) soup.points.emplace_back(p.x, p.y, z);
+  }
+  add(Face(walk.rbegin(), walk.rend()));
+  Face top = walk;
+  for (std::uint32_t& corner : top) corner += count;
+  add(top);
+  for (const Face& loop : loops) {
+    for (std::size_t i = 0; i < loop.size(); ++i) {
+      const std::uint32_t a = loop[i];
+      const std::uint32_t b = loop[(i + 1) % loop.size()];
+      add({a, b, b + count, a + count});
+    }
+  }
+  return soup;
+}
+
+// A frame: 10 x 10 with a hole of 4 x 4 in the middle.
+const Polygon kFrame = {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {3, 3}, {7, 3}, {7, 7}, {3, 7}};
+
+TEST(Triangulate, CutsAPolygonWithAHoleAtTheEndOfAnyBridgeWhereverItStarts) {
+  const std::vector<Face> loops = {{0, 1, 2, 3}, {4, 7, 6, 5}};
+  for (std::size_t outer = 0; outer < 4; ++outer) {
+    for (std::size_t inner = 0; inner < 4; ++inner) {
+      Face walk;
+      for (std::size_t i = 0; i <= 4; ++i) walk.push_back(loops[0][(outer + i) % 4]);
+      for (std::size_t i = 0; i <= 4; ++i) walk.push_back(loops[1][(inner + i) % 4]);
+      for (std::size_t start = 0; start < walk.size(); ++start) {
+        std::rotate(walk.begin(), walk.begin() + 1, walk.end());
+        const PolygonSoup soup = prism_of_walk(kFrame, walk, loops);
+        const Solid solid = import_it(tilted(soup, static_cast<int>(start % 3)));
+        expect_sound(solid);
+        EXPECT_DOUBLE_EQ(solid.volume, 84);
+        EXPECT_EQ(solid.planes.size(), 10u);
+        EXPECT_EQ(solid.facet_count(), 10u);
+        EXPECT_EQ(solid.triangles.size(), 2u * 8u + 8u * 2u);  // V - E + F = 0: genus 1
+        EXPECT_EQ(solid.vertices.size(), 16u);
+      }
+      EXPECT_DOUBLE_EQ(import_it(reversed(prism_of_walk(kFrame, walk, loops))).volume, 84);
+    }
+  }
+}
+
+TEST(Triangulate, CutsPolygonsWithSeveralHolesAndAnyBridges) {
+  // 12 x 6 with a triangle, a square, and in the last case a hole within reach of a hole.
+  const Polygon points = {{0, 0}, {12, 0}, {12, 6}, {0, 6},  // 0-3
+                          {2, 2}, {4, 2},  {2, 4},           // 4-6, area 2
+                          {6, 2}, {8, 2},  {8, 4},  {6, 4},  // 7-10, area 4
+                          {5, 3}, {10, 1}, {11, 5}};         // 11-13, on the way
+  const std::vector<Face> loops = {{0, 1, 2, 3}, {4, 6, 5}, {7, 10, 9, 8}};
+  const auto volume_of = [&](const Face& walk, std::size_t used) {
+    Polygon there(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(used));
+    const Solid solid = import_it(prism_of_walk(there, walk, loops));
+    expect_sound(solid);
+    EXPECT_EQ(solid.facet_count(), 2u + 4 + 3 + 4);
+    return solid.volume;
+  };
+  // Both from one corner of the outline; from two; the second from the first.
+  EXPECT_DOUBLE_EQ(volume_of({0, 1, 2, 3, 0, 7, 10, 9, 8, 7, 0, 4, 6, 5, 4}, 11), 66);
+  EXPECT_DOUBLE_EQ(volume_of({0, 1, 8, 7, 10, 9, 8, 1, 2, 3, 0, 4, 6, 5, 4}, 11), 66);
+  EXPECT_DOUBLE_EQ(volume_of({0, 1, 2, 3, 0, 4, 6, 5, 7, 10, 9, 8, 7, 5, 4}, 11), 66);
+  // A bridge of two edges, whose middle no other face has: it stays a vertex inside the face.
+  EXPECT_DOUBLE_EQ(volume_of({0, 1, 2, 3, 0, 4, 6, 5, 11, 7, 10, 9, 8, 7, 11, 5, 4}, 12), 66);
+  // The same bridge there and back for each of two holes.
+  EXPECT_DOUBLE_EQ(volume_of({0, 1, 2, 3, 0, 4, 6, 5, 4, 0, 4, 5, 7, 10, 9, 8, 7, 5, 4}, 11), 66);
+}
+
+TEST(Triangulate, CutsPolygonsWhoseHolesMeetInACorner) {
+  // Two pyramids are dug into the top of a block, with a rim corner in common: one surface there.
+  PolygonSoup soup = box({0, 0, 0}, {8, 4, 2});
+  const auto top = [&](double x, double y) {
+    soup.points.emplace_back(x, y, 2);
+    return static_cast<std::uint32_t>(soup.points.size() - 1);
+  };
+  const std::uint32_t meet = top(4, 2);
+  const Face left = {meet, top(1, 1), top(1, 3)};
+  const Face right = {meet, top(7, 3), top(7, 1)};
+  soup.points.emplace_back(2, 2, 1);
+  soup.points.emplace_back(6, 2, 1);
+  const auto apex = static_cast<std::uint32_t>(soup.points.size() - 2);
+  PolygonSoup dug;
+  dug.points = soup.points;
+  const auto add = [&](const Face& face) {
+    dug.corners.insert(dug.corners.end(), face.begin(), face.end());
+    dug.first_corner.push_back(static_cast<std::uint32_t>(dug.corners.size()));
+  };
+  for (std::size_t f = 0; f < soup.face_count(); ++f) {
+    Face face(soup.face(f).begin(), soup.face(f).end());
+    const bool is_top = std::all_of(face.begin(), face.end(),
+                                    [&](std::uint32_t v) { return soup.points[v].z == 2; });
+    if (is_top) {
+      // Clockwise around both holes, as seen from above.
+      face.insert(face.end(), {face[0], meet, left[1], left[2], meet, right[1], right[2], meet});
+    }
+    add(face);
+  }
+  for (const auto& [hole, bottom] : {std::pair{left, apex}, std::pair{right, apex + 1}}) {
+    for (std::size_t i = 0; i < 3; ++i) add({hole[(i + 1) % 3], hole[i], bottom});
+  }
+  // 64 without two pyramids of base 3 and height 1.
+  const std::string error = import_error(dug);
+  ASSERT_EQ(error, "");
+  const Solid solid = import_it(dug);
+  expect_sound(solid);
+  EXPECT_NEAR(solid.volume, 64 - 2, 1e-12);
+}
+
+TEST(Triangulate, RefusesWalksThatDoNotBoundOneArea) {
+  const std::vector<Face> loops = {{0, 1, 2, 3}, {4, 7, 6, 5}};
+  const auto error_of = [&](const Face& walk) {
+    return import_error(prism_of_walk(kFrame, walk, loops));
+  };
+  const auto is_refused = [&](const Face& walk) {
+    return error_of(walk).find("2 polygons with edges that cross or touch") != std::string::npos;
+  };
+  EXPECT_EQ(error_of({0, 1, 2, 3, 0, 4, 7, 6, 5, 4}), "");
+  EXPECT_TRUE(is_refused({0, 1, 2, 3, 0, 4, 5, 6, 7, 4}));  // winds twice around the hole
+  EXPECT_TRUE(is_refused({0, 1, 2, 3, 0, 1, 2, 3}));        // twice around everything
+  EXPECT_TRUE(is_refused({4, 7, 6, 5, 4, 0, 1, 2, 6, 0}));  // crosses itself
+  EXPECT_TRUE(is_refused({4, 5, 6, 7, 4, 0, 4, 5, 6, 7}));  // goes out to 0 for nothing
+}
+
 TEST(Triangulate, GivesTheSameTrianglesEveryTime) {
   const PolygonSoup soup = prism(star(50), 1);
   const Solid a = import_it(soup);
