@@ -4,6 +4,44 @@
 
 namespace spoctree {
 
+namespace {
+
+// One number where all axes have the same.
+std::string units_text(glm::dvec3 units, const char* separator) {
+  std::string text = to_short_text(units.x);
+  if (units.y == units.x && units.z == units.x) return text;
+  return text + separator + to_short_text(units.y) + separator + to_short_text(units.z);
+}
+
+std::string digits_text(const Precision& precision) {
+  if (precision.decimal_digits > 0) {
+    return std::to_string(precision.decimal_digits) + " significant digits";
+  }
+  if (precision.binary_digits < Precision{}.binary_digits) {
+    return "numbers of " + std::to_string(precision.binary_digits) + " bits";
+  }
+  return "multiples of " + to_short_text(precision.unit);
+}
+
+}  // namespace
+
+std::string describe_flat_tolerance(const FlatToleranceTaken& taken) {
+  if (!taken.is_by_rounding()) {
+    return to_short_text(taken.spread) + " (" + to_short_text(taken.fraction) +
+           " of the diagonal, " + (taken.was_given ? "as given" : "unless given") + ")";
+  }
+  const bool is_same = taken.rounding.y == taken.rounding.x && taken.rounding.z == taken.rounding.x;
+  return "up to " + to_short_text(taken.rounded_spread) + " (the file has " +
+         digits_text(taken.precision) + ": coordinates are rounded to " +
+         units_text(taken.rounding, ", ") + (is_same ? "" : " along x, y, z") + ")";
+}
+
+std::string flat_tolerance_options(const FlatToleranceTaken& taken) {
+  if (!taken.is_by_rounding()) return "flat-tolerance=" + to_text(taken.fraction);
+  return "flat-tolerance=" + to_short_text(taken.fraction * taken.rounded_spread / taken.spread) +
+         " rounding=" + units_text(taken.rounding, ",");
+}
+
 std::string describe_solid(const std::string& name, const SolidReport& report,
                            std::size_t plane_count, double volume) {
   std::string text = name + ": " + std::to_string(report.input_faces) + " faces, " +
@@ -24,6 +62,7 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
             std::to_string(plane_count) + ", no corner moved farther than " +
             to_short_text(report.largest_move) + "\n";
   }
+  text += "flat tolerance: " + describe_flat_tolerance(report.flat_tolerance) + "\n";
   return text;
 }
 

@@ -105,6 +105,7 @@ std::string info_of_mesh(const InfoArguments& arguments) {
       {"merged_points", std::to_string(report.merged_points)},
       {"planes_before_merging", std::to_string(report.planes_before_merging)},
       {"largest_move", to_text(report.largest_move)},
+      {"flat_tolerance", quote_json(describe_flat_tolerance(report.flat_tolerance))},
   };
   return arguments.as_json ? to_json(fields) : to_lines(fields);
 }

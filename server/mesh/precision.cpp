@@ -17,6 +17,10 @@ constexpr int kFewestDigitsAsLimit = 4;
 constexpr std::uint64_t kDigitsOfEvidence = 4;
 constexpr int kBitsOfEvidence = 20;
 
+// One number that lacks more digits, such as that of a corner which a model was placed by, says no
+// more than with these.
+constexpr int kMostMissingDigits = 2;
+
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 
 int decade_of(double magnitude) {
@@ -148,9 +152,11 @@ bool DigitRecord::has_digits_as_limit(int digits, int last_place) const {
             counts[static_cast<std::size_t>(decade)][static_cast<std::size_t>(used)];
         if (count == 0) continue;
         numbers += count;
-        missing += count * static_cast<std::uint64_t>(digits - used);
-        missing_to_place += count * static_cast<std::uint64_t>(std::max(
-                                        0, decade + kLowestDecade - used + 1 - last_place));
+        const auto zeros = [count](int places) {
+          return count * static_cast<std::uint64_t>(std::clamp(places, 0, kMostMissingDigits));
+        };
+        missing += zeros(digits - used);
+        missing_to_place += zeros(decade + kLowestDecade - used + 1 - last_place);
       }
     }
     if (numbers > 0 && 2 * missing <= numbers && missing + kDigitsOfEvidence <= missing_to_place) {

@@ -5,6 +5,7 @@
 
 #include "server/solid/fit_plane.hpp"
 #include "server/solid/grow_patches.hpp"
+#include "server/solid/join_rounded.hpp"
 #include "server/solid/share_planes.hpp"
 
 namespace spoctree {
@@ -51,10 +52,11 @@ void gather_equal_planes(const FlatSurface& surface, std::vector<PlanarPatch>& p
 
 }  // namespace
 
-FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
-  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance);
+FlatGroups find_flat_groups(const FlatSurface& surface, const FlatTolerance& tolerance) {
+  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance.spread);
+  if (tolerance.has_rounding()) join_rounded(patches, surface, tolerance);
   gather_equal_planes(surface, patches);
-  const std::vector<std::uint32_t> number_of = share_planes(patches, surface, tolerance);
+  const std::vector<std::uint32_t> number_of = share_planes(patches, surface, tolerance.spread);
   FlatGroups found;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     if (number_of[p] >= found.groups.size()) found.groups.resize(number_of[p] + 1);
@@ -89,14 +91,13 @@ void fit_again(const FlatSurface& surface, FlatGroup& group) {
   group.plane = fitted.plane;
   group.area = fitted.area;
   group.is_exact = fitted.is_exact;
-  group.is_flat =
-      fitted.is_exact ||
-      std::all_of(group.triangles.begin(), group.triangles.end(), [&](std::uint32_t t) {
-        const Corners& corners = surface.triangles[t];
-        return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-          return is_on(fitted.plane, surface.points[v]);
-        });
-      });
+  group.is_flat = fitted.is_exact ||
+                  std::all_of(group.triangles.begin(), group.triangles.end(), [&](std::uint32_t t) {
+                    const Corners& corners = surface.triangles[t];
+                    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+                      return is_on(fitted.plane, surface.points[v]);
+                    });
+                  });
 }
 
 std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,

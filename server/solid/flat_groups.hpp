@@ -2,6 +2,7 @@
 #pragma once
 
 #include "server/solid/flat_surface.hpp"
+#include "server/solid/flat_tolerance.hpp"
 
 namespace spoctree {
 
@@ -22,11 +23,12 @@ struct FlatGroups {
   std::vector<std::uint32_t> of_triangle;  ///< kNone: in no group
 };
 
-/// Neighbours that are flat within the tolerance (grow_patches), patches of these in one plane
+/// Neighbours that are flat within the tolerance (grow_patches), or were before their corners were
+/// rounded (join_rounded), patches of these in one plane
 /// within the tolerance (share_planes), and triangles anywhere whose planes are equal already. That
 /// single triangles far from each other lie in one plane within a tolerance says nothing about
 /// them: of the many small ones of a scan, some always do. n log n.
-FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance);
+FlatGroups find_flat_groups(const FlatSurface& surface, const FlatTolerance& tolerance);
 
 /// A corner and a group around it on whose plane it cannot lie.
 struct CornerConflict {

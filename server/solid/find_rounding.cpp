@@ -1,0 +1,106 @@
+#include "server/solid/find_rounding.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <numeric>
+#include <vector>
+
+namespace spoctree {
+
+namespace {
+
+// A model that is nowhere larger than this many units is one of few digits by design.
+constexpr double kSmallestModel = 1000;
+
+// Numbers nearer to a multiple of the unit than this fraction are one.
+constexpr double kNearlyMultiple = 1e-4;
+
+// How far above its mean something is, in standard deviations, that is no chance.
+constexpr double kDeviations = 3;
+// The chance of all having a common divisor is then one in so many.
+constexpr double kMostLikely = 1e-4;
+
+// One number that ends with more zeros, such as that of a corner which a model was placed by, says
+// no more than with these.
+constexpr int kMostZeros = 2;
+constexpr int kMostZeroBits = 3;
+
+/// Of a number of independent trials, more than chance has.
+bool is_no_chance(double found, double trials, double mean, double variance) {
+  return found > trials * mean + kDeviations * std::sqrt(trials * variance) + 0.5;
+}
+
+/// Different coordinates along one axis as multiples of the unit, where they are.
+struct Multiples {
+  std::vector<std::int64_t> whole;  ///< sorted, without 0
+  std::size_t others = 0;           ///< with digits beyond the unit
+};
+
+Multiples multiples_along(int axis, double unit, std::span<const glm::dvec3> points) {
+  std::vector<double> values;
+  values.reserve(points.size());
+  for (const glm::dvec3& p : points) values.push_back(std::abs(p[axis]) / unit);
+  std::sort(values.begin(), values.end());
+  Multiples found;
+  double before = 0;
+  for (const double value : values) {
+    if (value == before) continue;
+    before = value;
+    const double whole = std::round(value);
+    if (!(std::abs(value - whole) <= kNearlyMultiple) || whole > 0x1p53) {
+      ++found.others;
+    } else if (whole > 0) {
+      found.whole.push_back(static_cast<std::int64_t>(whole));
+    }
+  }
+  return found;
+}
+
+bool is_rounder_than_rounded(const Multiples& multiples, int base) {
+  const auto count = static_cast<double>(multiples.whole.size() + multiples.others);
+  std::int64_t divisor = 0;
+  double zeros = 0;
+  double fives = 0;
+  const int most_zeros = base == 10 ? kMostZeros : kMostZeroBits;
+  for (const std::int64_t whole : multiples.whole) {
+    divisor = std::gcd(divisor, whole);
+    fives += whole % 5 == 0 ? 1 : 0;
+    std::int64_t rest = whole;
+    for (int i = 0; i < most_zeros && rest % base == 0; ++i, rest /= base) ++zeros;
+  }
+  if (multiples.others == 0 && std::pow(static_cast<double>(divisor), -count) < kMostLikely) {
+    return true;
+  }
+  // Zeros at the end: so many that one more has the chance 1 / base each time.
+  const double chance = 1.0 / base;
+  if (is_no_chance(zeros, count, chance / (1 - chance), chance / ((1 - chance) * (1 - chance)))) {
+    return true;
+  }
+  return base == 10 && is_no_chance(fives, count, 0.2, 0.2 * 0.8);
+}
+
+}  // namespace
+
+glm::dvec3 find_rounding(const Precision& precision, std::span<const glm::dvec3> points) {
+  glm::dvec3 units = coordinate_spacing(precision, points);
+  glm::dvec3 farthest{};
+  for (const glm::dvec3& p : points) farthest = glm::max(farthest, glm::abs(p));
+  double most_units = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (units[axis] > 0) most_units = std::max(most_units, farthest[axis] / units[axis]);
+  }
+  if (most_units < kSmallestModel) return {};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (units[axis] == 0) continue;
+    const Precision bits_alone{.binary_digits = precision.binary_digits};
+    const bool is_binary = bits_alone.spacing_at(farthest[axis]) == units[axis];
+    if (is_rounder_than_rounded(multiples_along(axis, units[axis], points), is_binary ? 2 : 10)) {
+      units[axis] = 0;
+    }
+  }
+  return units;
+}
+
+}  // namespace spoctree
