@@ -36,18 +36,24 @@ bool is_no_chance(double found, double trials, double mean, double variance) {
 struct Multiples {
   std::vector<std::int64_t> whole;  ///< sorted, without 0
   std::size_t others = 0;           ///< with digits beyond the unit
+  bool are_few = false;             ///< no more than two different ones, with their signs
 };
+
+void keep_different(std::vector<double>& values) {
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+}
 
 Multiples multiples_along(int axis, double unit, std::span<const glm::dvec3> points) {
   std::vector<double> values;
   values.reserve(points.size());
-  for (const glm::dvec3& p : points) values.push_back(std::abs(p[axis]) / unit);
-  std::sort(values.begin(), values.end());
+  for (const glm::dvec3& p : points) values.push_back(p[axis] / unit);
+  keep_different(values);
   Multiples found;
-  double before = 0;
+  found.are_few = values.size() <= 2;
+  for (double& value : values) value = std::abs(value);
+  keep_different(values);
   for (const double value : values) {
-    if (value == before) continue;
-    before = value;
     const double whole = std::round(value);
     if (!(std::abs(value - whole) <= kNearlyMultiple) || whole > 0x1p53) {
       ++found.others;
@@ -59,6 +65,7 @@ Multiples multiples_along(int axis, double unit, std::span<const glm::dvec3> poi
 }
 
 bool is_rounder_than_rounded(const Multiples& multiples, int base) {
+  if (multiples.are_few) return true;
   const auto count = static_cast<double>(multiples.whole.size() + multiples.others);
   std::int64_t divisor = 0;
   double zeros = 0;

@@ -50,13 +50,10 @@ void gather_equal_planes(const FlatSurface& surface, std::vector<PlanarPatch>& p
   }
 }
 
-}  // namespace
-
-FlatGroups find_flat_groups(const FlatSurface& surface, const FlatTolerance& tolerance) {
-  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance.spread);
-  if (tolerance.has_rounding()) join_rounded(patches, surface, tolerance);
+FlatGroups group_patches(std::vector<PlanarPatch> patches, const FlatSurface& surface,
+                         double tolerance) {
   gather_equal_planes(surface, patches);
-  const std::vector<std::uint32_t> number_of = share_planes(patches, surface, tolerance.spread);
+  const std::vector<std::uint32_t> number_of = share_planes(patches, surface, tolerance);
   FlatGroups found;
   for (std::uint32_t p = 0; p < patches.size(); ++p) {
     if (number_of[p] >= found.groups.size()) found.groups.resize(number_of[p] + 1);
@@ -69,6 +66,26 @@ FlatGroups find_flat_groups(const FlatSurface& surface, const FlatTolerance& tol
     for (const std::uint32_t t : found.groups[g].triangles) found.of_triangle[t] = g;
   }
   return found;
+}
+
+}  // namespace
+
+FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
+  return group_patches(grow_patches(surface, tolerance), surface, tolerance);
+}
+
+std::optional<FlatGroups> find_rounded_groups(const FlatSurface& surface,
+                                              const FlatTolerance& tolerance) {
+  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance.spread);
+  if (!join_rounded(patches, surface, tolerance)) return std::nullopt;
+  return group_patches(std::move(patches), surface, tolerance.spread);
+}
+
+std::size_t count_planes(const FlatGroups& groups) {
+  const auto is_used = [](const FlatGroup& group) { return !group.triangles.empty(); };
+  const auto used = std::count_if(groups.groups.begin(), groups.groups.end(), is_used);
+  const auto alone = std::count(groups.of_triangle.begin(), groups.of_triangle.end(), kNone);
+  return static_cast<std::size_t>(used + alone);
 }
 
 void collect_groups_around(const FlatSurface& surface, const FlatGroups& groups,
@@ -91,13 +108,14 @@ void fit_again(const FlatSurface& surface, FlatGroup& group) {
   group.plane = fitted.plane;
   group.area = fitted.area;
   group.is_exact = fitted.is_exact;
-  group.is_flat = fitted.is_exact ||
-                  std::all_of(group.triangles.begin(), group.triangles.end(), [&](std::uint32_t t) {
-                    const Corners& corners = surface.triangles[t];
-                    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-                      return is_on(fitted.plane, surface.points[v]);
-                    });
-                  });
+  group.is_flat =
+      fitted.is_exact ||
+      std::all_of(group.triangles.begin(), group.triangles.end(), [&](std::uint32_t t) {
+        const Corners& corners = surface.triangles[t];
+        return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
+          return is_on(fitted.plane, surface.points[v]);
+        });
+      });
 }
 
 std::vector<std::uint32_t> release(const FlatSurface& surface, FlatGroups& groups,

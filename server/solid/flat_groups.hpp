@@ -1,6 +1,8 @@
 // Triangles into groups that are to lie in one plane.
 #pragma once
 
+#include <optional>
+
 #include "server/solid/flat_surface.hpp"
 #include "server/solid/flat_tolerance.hpp"
 
@@ -23,12 +25,19 @@ struct FlatGroups {
   std::vector<std::uint32_t> of_triangle;  ///< kNone: in no group
 };
 
-/// Neighbours that are flat within the tolerance (grow_patches), or were before their corners were
-/// rounded (join_rounded), patches of these in one plane
+/// Neighbours that are flat within the tolerance (grow_patches), patches of these in one plane
 /// within the tolerance (share_planes), and triangles anywhere whose planes are equal already. That
 /// single triangles far from each other lie in one plane within a tolerance says nothing about
 /// them: of the many small ones of a scan, some always do. n log n.
-FlatGroups find_flat_groups(const FlatSurface& surface, const FlatTolerance& tolerance);
+FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance);
+
+/// The same, with those joined that were flat before corners were rounded (join_rounded). Nothing
+/// if that saves next to no group. REQUIRES: tolerance.has_rounding().
+std::optional<FlatGroups> find_rounded_groups(const FlatSurface& surface,
+                                              const FlatTolerance& tolerance);
+
+/// How many planes a surface has whose groups are in one plane each.
+std::size_t count_planes(const FlatGroups& groups);
 
 /// A corner and a group around it on whose plane it cannot lie.
 struct CornerConflict {

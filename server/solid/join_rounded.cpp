@@ -29,6 +29,9 @@ constexpr double kVariance = 1.0 / 12;
 // Wider along an axis than this (units), what is rounded may have been at an angle to it.
 constexpr double kFlatToAxis = 1.01;
 
+// Where joining saves less than one face in so many, the surface stays as it was.
+constexpr std::size_t kLeastGain = 64;
+
 // Planes that are looked at for being one differ less than this in each component of their normals,
 // and where they are apart, by less than so many units.
 constexpr double kNormalCell = 1.0 / 16;
@@ -106,7 +109,7 @@ struct Cluster {
 class Joiner {
  public:
   Joiner(const FlatSurface& surface, const FlatTolerance& tolerance);
-  void run(std::vector<PlanarPatch>& patches);
+  bool run(std::vector<PlanarPatch>& patches);
 
  private:
   struct Pair {
@@ -141,6 +144,7 @@ class Joiner {
   std::vector<Cluster> clusters_;
   std::vector<std::uint32_t> cluster_of_;  // triangles
   std::uint32_t next_version_ = 0;
+  std::size_t joined_ = 0;  // clusters that went into others
   std::priority_queue<Pair, std::vector<Pair>, std::greater<>> queue_;
 };
 
@@ -290,6 +294,7 @@ std::vector<std::uint32_t> Joiner::join(std::uint32_t a, std::uint32_t b) {
   large.is_sliver = false;
   large.patch = kNone;
   large.version = next_version_++;
+  ++joined_;
   return std::move(small.triangles);
 }
 
@@ -389,13 +394,14 @@ PlanarPatch Joiner::to_patch(const Cluster& cluster) const {
   return patch;
 }
 
-void Joiner::run(std::vector<PlanarPatch>& patches) {
+bool Joiner::run(std::vector<PlanarPatch>& patches) {
   begin_clusters(patches);
   // What was refused may fit when the plane beside it is better known.
   do {
     push_all();
   } while (join_all());
   share_planes();
+  if (joined_ * kLeastGain < clusters_.size()) return false;
   std::vector<PlanarPatch> joined;
   for (const Cluster& cluster : clusters_) {
     if (cluster.patch != kNone) {
@@ -405,16 +411,14 @@ void Joiner::run(std::vector<PlanarPatch>& patches) {
     }
   }
   patches = std::move(joined);
-  for (auto& p : patches)
-    fprintf(stderr, "patch of %zu triangles, area %g n %g %g %g\n", p.triangles.size(), p.area,
-            p.plane.normal[0] * 0x1p-52, p.plane.normal[1] * 0x1p-52, p.plane.normal[2] * 0x1p-52);
+  return true;
 }
 
 }  // namespace
 
-void join_rounded(std::vector<PlanarPatch>& patches, const FlatSurface& surface,
+bool join_rounded(std::vector<PlanarPatch>& patches, const FlatSurface& surface,
                   const FlatTolerance& tolerance) {
-  Joiner(surface, tolerance).run(patches);
+  return Joiner(surface, tolerance).run(patches);
 }
 
 }  // namespace spoctree

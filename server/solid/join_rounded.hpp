@@ -19,9 +19,10 @@ namespace spoctree {
 /// - it is no plane parallel to an axis, up to one unit: rounding leaves those as they are, and a
 ///   step of one unit in them was meant.
 ///
-/// `patches` are flat within tolerance.spread; those that were joined are replaced. O(n log n) for
-/// n triangles as a rule. REQUIRES: tolerance.has_rounding().
-void join_rounded(std::vector<PlanarPatch>& patches, const FlatSurface& surface,
+/// `patches` are flat within tolerance.spread; those that were joined are replaced, unless that
+/// saves next to none: then false. O(n log n) for n triangles as a rule. REQUIRES:
+/// tolerance.has_rounding().
+bool join_rounded(std::vector<PlanarPatch>& patches, const FlatSurface& surface,
                   const FlatTolerance& tolerance);
 
 }  // namespace spoctree

@@ -51,27 +51,34 @@ std::array<double, 2> finest_of(const Corners& t, std::span<const GridPoint> poi
 struct Grouping {
   FlatGroups in_planes;  // already
   FlatGroups flat;       // within the tolerance
+  std::optional<FlatGroups> rounded;  // and before rounding
 };
 
 Grouping find_groups(const FlatSurface& surface, const FlatTolerance& tolerance) {
   Grouping found;
-  parallel_invoke([&] { found.in_planes = find_groups_in_planes(surface); },
-                  [&] { found.flat = find_flat_groups(surface, tolerance); });
+  parallel_invoke(
+      [&] {
+        found.in_planes = find_groups_in_planes(surface);
+        found.flat = find_flat_groups(surface, tolerance.spread);
+      },
+      [&] {
+        if (tolerance.has_rounding()) found.rounded = find_rounded_groups(surface, tolerance);
+      });
   return found;
 }
 
 class Merger {
  public:
-  Merger(const GridMesh& mesh, const FlatSurface& surface, Grouping groups, const BoxTree& boxes,
-         const ShellJudgement& shells, const FlatTolerance& tolerance)
+  Merger(const GridMesh& mesh, const FlatSurface& surface, FlatGroups in_planes, FlatGroups flat,
+         const BoxTree& boxes, const ShellJudgement& shells, const FlatTolerance& tolerance)
       : mesh_(mesh),
         surface_(surface),
         boxes_(boxes),
         shells_(shells),
         tolerance_(tolerance),
-        gain_(surface, std::move(groups.in_planes)),
+        gain_(surface, std::move(in_planes)),
         is_given_back_(surface.triangles.size(), 0),
-        settler_(make_settler(surface, std::move(groups.flat), tolerance.most_move())) {}
+        settler_(make_settler(surface, std::move(flat), tolerance.most_move())) {}
 
   /// Nothing if it does not work out.
   std::optional<PlanarSurface> merge();
@@ -354,6 +361,31 @@ std::optional<PlanarSurface> Merger::merge() {
   return std::nullopt;
 }
 
+std::size_t plane_count(const PlanarSurface& surface) {
+  return number_planes(surface.planes).first.size();
+}
+
+// What rounding explains need not work out together. Then it may be less than what the tolerance
+// merges without it.
+std::optional<PlanarSurface> merge_groups(const GridMesh& mesh, const FlatSurface& surface,
+                                          Grouping groups, const BoxTree& boxes,
+                                          const ShellJudgement& shells,
+                                          const FlatTolerance& tolerance) {
+  std::optional<PlanarSurface> rounded;
+  if (groups.rounded) {
+    const std::size_t fewest_without = count_planes(groups.flat);
+    rounded = Merger(mesh, surface, groups.in_planes, std::move(*groups.rounded), boxes, shells,
+                     tolerance)
+                  .merge();
+    if (rounded && plane_count(*rounded) <= fewest_without) return rounded;
+  }
+  auto merged = Merger(mesh, surface, std::move(groups.in_planes), std::move(groups.flat), boxes,
+                       shells, {tolerance.spread, {}})
+                    .merge();
+  if (rounded && (!merged || plane_count(*rounded) < plane_count(*merged))) return rounded;
+  return merged;
+}
+
 }  // namespace
 
 PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const BoxTree& boxes,
@@ -361,7 +393,7 @@ PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const 
   FlatSurface surface = make_flat_surface(mesh.vertices, mesh.triangles, neighbours);
   if (tolerance.spread > 0) {
     auto merged =
-        Merger(mesh, surface, find_groups(surface, tolerance), boxes, shells, tolerance).merge();
+        merge_groups(mesh, surface, find_groups(surface, tolerance), boxes, shells, tolerance);
     if (merged) {
       merged->planes_before_merging = surface.distinct_planes;
       return std::move(*merged);

@@ -109,7 +109,7 @@ std::vector<std::uint32_t> MergingGain::find_wasted(const FlatGroups& now,
 }
 
 FlatGroups find_groups_in_planes(const FlatSurface& surface) {
-  FlatGroups groups = find_flat_groups(surface, {static_cast<double>(kGridFlatness), {}});
+  FlatGroups groups = find_flat_groups(surface, static_cast<double>(kGridFlatness));
   for (FlatGroup& group : groups.groups) {
     if (group.is_flat) continue;
     for (const std::uint32_t t : group.triangles) groups.of_triangle[t] = kNone;
