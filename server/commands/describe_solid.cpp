@@ -23,22 +23,27 @@ std::string digits_text(const Precision& precision) {
   return "multiples of " + to_short_text(precision.unit);
 }
 
+double rounded_fraction(const FlatToleranceTaken& taken) {
+  return taken.fraction * taken.rounded_spread / taken.spread;
+}
+
 }  // namespace
 
 std::string describe_flat_tolerance(const FlatToleranceTaken& taken) {
   if (!taken.is_by_rounding()) {
-    return to_short_text(taken.spread) + " (" + to_short_text(taken.fraction) +
-           " of the diagonal, " + (taken.was_given ? "as given" : "unless given") + ")";
+    return to_short_text(taken.spread) + " (" + to_short_text(taken.fraction) + " of the diagonal" +
+           (taken.was_given ? ", as given)" : ")");
   }
-  const bool is_same = taken.rounding.y == taken.rounding.x && taken.rounding.z == taken.rounding.x;
-  return "up to " + to_short_text(taken.rounded_spread) + " (the file has " +
-         digits_text(taken.precision) + ": coordinates are rounded to " +
-         units_text(taken.rounding, ", ") + (is_same ? "" : " along x, y, z") + ")";
+  const glm::dvec3 units = taken.rounding;
+  return to_short_text(taken.rounded_spread) + " (" + to_short_text(rounded_fraction(taken)) +
+         " of the diagonal: the file has " + digits_text(taken.precision) +
+         ", coordinates are rounded to " + units_text(units, ", ") +
+         (units.y == units.x && units.z == units.x ? "" : " along x, y, z") + ")";
 }
 
 std::string flat_tolerance_options(const FlatToleranceTaken& taken) {
   if (!taken.is_by_rounding()) return "flat-tolerance=" + to_text(taken.fraction);
-  return "flat-tolerance=" + to_short_text(taken.fraction * taken.rounded_spread / taken.spread) +
+  return "flat-tolerance=" + to_short_text(rounded_fraction(taken)) +
          " rounding=" + units_text(taken.rounding, ",");
 }
 

@@ -13,6 +13,8 @@ constexpr int kSinglesDigits = 7;  // which any number of so many has
 
 // Fewer significant digits are what a designer writes, not what rounding leaves.
 constexpr int kFewestDigitsAsLimit = 4;
+// Longer words have more digits than any double.
+constexpr int kLongestWord = 400;
 // The chance that numbers show a limit that is none is 10^-4, and 2^-20.
 constexpr std::uint64_t kDigitsOfEvidence = 4;
 constexpr int kBitsOfEvidence = 20;
@@ -106,6 +108,7 @@ glm::dvec3 coordinate_spacing(const Precision& precision, std::span<const glm::d
 }
 
 void DigitRecord::compare_with_single(double value, int last_place) {
+  if (value == 0) return;  // too small for a double
   const double single = static_cast<double>(static_cast<float>(value));
   const double unit = power_of_ten(last_place);
   // Not exactly a half: the value itself is rounded.
@@ -115,11 +118,17 @@ void DigitRecord::compare_with_single(double value, int last_place) {
   }
   const double spacing = spacing_of_bits(std::abs(value), kSingleBits);
   if (spacing > unit && evidence_for_single_ < kBitsOfEvidence) {
-    evidence_for_single_ += std::ilogb(spacing / unit);
+    evidence_for_single_ += std::min(kBitsOfEvidence, std::ilogb(spacing / unit));
   }
 }
 
 void DigitRecord::add(int axis, std::string_view word, double value) {
+  if (word.size() > std::size_t{kLongestWord}) {
+    ++numbers_;
+    lowest_place_ = -kLongestWord;
+    most_digits_ = kLongestWord;
+    return;
+  }
   const WrittenDigits written = read_digits(word);
   if (!written.has_exponent || !written.is_zero) {
     lowest_place_ = std::min(lowest_place_, written.last_place);

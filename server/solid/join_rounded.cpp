@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <queue>
+#include <unordered_set>
 
 #include "server/solid/fit_plane.hpp"
 
@@ -92,7 +93,7 @@ Fit fit_to(const Moments& moments) {
   return fit;
 }
 
-/// A connected set of triangles. Points are in units of the rounding.
+/// Triangles that are to be in one plane. Points are in units of the rounding.
 struct Cluster {
   Moments corners;  // each once
   std::vector<std::uint32_t> vertices;
@@ -104,6 +105,20 @@ struct Cluster {
   bool is_sliver = false;
   std::uint32_t patch = kNone;  // the one that it begins as
   std::uint32_t version = 0;    // new whenever it grows, no other has the same
+
+  bool has(std::uint32_t vertex) const {
+    if (vertices.size() > kMostSearched) return index.contains(vertex);
+    return std::find(vertices.begin(), vertices.end(), vertex) != vertices.end();
+  }
+  void add(std::uint32_t vertex) {
+    vertices.push_back(vertex);
+    if (vertices.size() == kMostSearched + 1) index.insert(vertices.begin(), vertices.end());
+    if (vertices.size() > kMostSearched) index.insert(vertex);
+  }
+
+ private:
+  static constexpr std::size_t kMostSearched = 16;
+  std::unordered_set<std::uint32_t> index;  // of the vertices, where these are more
 };
 
 class Joiner {
@@ -128,7 +143,6 @@ class Joiner {
   Vector scaled(std::uint32_t vertex) const;
   void begin_clusters(const std::vector<PlanarPatch>& patches);
   void add_triangle(Cluster& cluster, std::uint32_t number, std::uint32_t triangle);
-  bool has_vertex(std::uint32_t cluster, std::uint32_t vertex) const;
   bool is_sliver(std::uint32_t triangle) const;
   double cost_of(std::uint32_t a, std::uint32_t b) const;
   void push(std::uint32_t triangle, std::uint32_t edge);
@@ -172,24 +186,16 @@ bool Joiner::is_sliver(std::uint32_t triangle) const {
   return height <= kSliverHeight && height * kSliverAspect < longest;
 }
 
-// True if a triangle around the vertex is in the cluster.
-bool Joiner::has_vertex(std::uint32_t cluster, std::uint32_t vertex) const {
-  bool is_found = false;
-  visit_fan(surface_.triangles, surface_.neighbours, surface_.triangle_at[vertex], vertex,
-            [&](std::uint32_t t) { is_found = is_found || cluster_of_[t] == cluster; });
-  return is_found;
-}
-
 void Joiner::add_triangle(Cluster& cluster, std::uint32_t number, std::uint32_t triangle) {
   const Corners& c = surface_.triangles[triangle];
   for (const std::uint32_t v : c) {
-    if (has_vertex(number, v)) continue;
+    if (cluster.has(v)) continue;
     const Vector p = scaled(v);
     if (cluster.vertices.empty()) cluster.lower = cluster.upper = p;
     cluster.lower = cluster.lower.cwiseMin(p);
     cluster.upper = cluster.upper.cwiseMax(p);
     cluster.corners.add(p);
-    cluster.vertices.push_back(v);
+    cluster.add(v);
   }
   cluster_of_[triangle] = number;
   cluster.triangles.push_back(triangle);
@@ -241,7 +247,7 @@ double Joiner::cost_of(std::uint32_t a, std::uint32_t b) const {
   }
   std::vector<std::uint32_t> added;
   for (const std::uint32_t v : small.vertices) {
-    if (has_vertex(a, v)) {
+    if (large.has(v)) {
       Moments shared;
       shared.add(scaled(v));
       both -= shared;
