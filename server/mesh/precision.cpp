@@ -15,8 +15,8 @@ constexpr int kSinglesDigits = 7;  // which any number of so many has
 constexpr int kFewestDigitsAsLimit = 4;
 // Longer words have more digits than any double.
 constexpr int kLongestWord = 400;
-// The chance that numbers show a limit that is none is 10^-4, and 2^-20.
-constexpr std::uint64_t kDigitsOfEvidence = 4;
+// The chance that numbers show a limit that is none is 10^-2, and 2^-20.
+constexpr std::uint64_t kDigitsOfEvidence = 2;
 constexpr int kBitsOfEvidence = 20;
 
 // One number that lacks more digits, such as that of a corner which a model was placed by, says no
@@ -151,28 +151,28 @@ void DigitRecord::add(int axis, std::string_view word, double value) {
 // if numbers were rounded there.
 bool DigitRecord::has_digits_as_limit(int digits, int last_place) const {
   if (digits < kFewestDigitsAsLimit || digits >= kMostDigits) return false;
+  std::uint64_t evidence = 0;
   for (const Counts& counts : counts_) {
     std::uint64_t numbers = 0;
     std::uint64_t missing = 0;           // of `digits`
     std::uint64_t missing_to_place = 0;  // down to `last_place`
     for (int decade = 0; decade < kDecades; ++decade) {
-      for (int used = 1; used <= std::min(digits, kMostDigits); ++used) {
+      for (int used = 1; used <= digits; ++used) {
         const std::uint64_t count =
             counts[static_cast<std::size_t>(decade)][static_cast<std::size_t>(used)];
         if (count == 0) continue;
-        numbers += count;
         const auto zeros = [count](int places) {
           return count * static_cast<std::uint64_t>(std::clamp(places, 0, kMostMissingDigits));
         };
+        numbers += count;
         missing += zeros(digits - used);
         missing_to_place += zeros(decade + kLowestDecade - used + 1 - last_place);
       }
     }
-    if (numbers > 0 && 2 * missing <= numbers && missing + kDigitsOfEvidence <= missing_to_place) {
-      return true;
-    }
+    const bool is_in_full = 2 * missing <= numbers;
+    if (is_in_full && missing_to_place > missing) evidence += missing_to_place - missing;
   }
-  return false;
+  return evidence >= kDigitsOfEvidence;
 }
 
 Precision DigitRecord::precision() const {

@@ -17,19 +17,23 @@ constexpr double kSmallestModel = 1000;
 // Numbers nearer to a multiple of the unit than this fraction are one.
 constexpr double kNearlyMultiple = 1e-4;
 
-// How far above its mean something is, in standard deviations, that is no chance.
-constexpr double kDeviations = 3;
+// How far above its mean something is, in standard deviations, and a little more where there are
+// few numbers, that is no chance. Coordinates are not independent: eight corners of a box follow
+// from four. That is why it is more than the usual three.
+constexpr double kDeviations = 5;
+constexpr double kMargin = 2;
 // The chance of all having a common divisor is then one in so many.
 constexpr double kMostLikely = 1e-4;
+constexpr double kNumbersThatFollowFromOne = 3;
 
 // One number that ends with more zeros, such as that of a corner which a model was placed by, says
 // no more than with these.
 constexpr int kMostZeros = 2;
 constexpr int kMostZeroBits = 3;
 
-/// Of a number of independent trials, more than chance has.
+/// Of a number of trials, more than chance has.
 bool is_no_chance(double found, double trials, double mean, double variance) {
-  return found > trials * mean + kDeviations * std::sqrt(trials * variance) + 0.5;
+  return found > trials * mean + kDeviations * std::sqrt(trials * variance) + kMargin;
 }
 
 /// Different coordinates along one axis as multiples of the unit, where they are.
@@ -64,28 +68,44 @@ Multiples multiples_along(int axis, double unit, std::span<const glm::dvec3> poi
   return found;
 }
 
-bool is_rounder_than_rounded(const Multiples& multiples, int base) {
-  if (multiples.are_few) return true;
-  const auto count = static_cast<double>(multiples.whole.size() + multiples.others);
-  std::int64_t divisor = 0;
-  double zeros = 0;
-  double fives = 0;
+/// How round numbers are.
+struct Roundness {
+  double count = 0;
+  double zeros = 0;  ///< at the end, in all together
+  double fives = 0;  ///< multiples of 5
+
+  void add(const Roundness& other) {
+    count += other.count;
+    zeros += other.zeros;
+    fives += other.fives;
+  }
+  bool is_no_chance(int base) const {
+    const double chance = 1.0 / base;
+    // So many zeros that one more has the chance 1 / base each time.
+    const double mean = chance / (1 - chance);
+    return spoctree::is_no_chance(zeros, count, mean, mean / (1 - chance)) ||
+           (base == 10 && spoctree::is_no_chance(fives, count, 0.2, 0.2 * 0.8));
+  }
+};
+
+Roundness roundness_of(const Multiples& multiples, int base) {
+  Roundness found;
+  found.count = static_cast<double>(multiples.whole.size() + multiples.others);
   const int most_zeros = base == 10 ? kMostZeros : kMostZeroBits;
   for (const std::int64_t whole : multiples.whole) {
-    divisor = std::gcd(divisor, whole);
-    fives += whole % 5 == 0 ? 1 : 0;
+    found.fives += whole % 5 == 0 ? 1 : 0;
     std::int64_t rest = whole;
-    for (int i = 0; i < most_zeros && rest % base == 0; ++i, rest /= base) ++zeros;
+    for (int i = 0; i < most_zeros && rest % base == 0; ++i, rest /= base) ++found.zeros;
   }
-  if (multiples.others == 0 && std::pow(static_cast<double>(divisor), -count) < kMostLikely) {
-    return true;
-  }
-  // Zeros at the end: so many that one more has the chance 1 / base each time.
-  const double chance = 1.0 / base;
-  if (is_no_chance(zeros, count, chance / (1 - chance), chance / ((1 - chance) * (1 - chance)))) {
-    return true;
-  }
-  return base == 10 && is_no_chance(fives, count, 0.2, 0.2 * 0.8);
+  return found;
+}
+
+bool have_common_divisor(const Multiples& multiples) {
+  if (multiples.others > 0) return false;
+  std::int64_t divisor = 0;
+  for (const std::int64_t whole : multiples.whole) divisor = std::gcd(divisor, whole);
+  const auto count = static_cast<double>(multiples.whole.size());
+  return std::pow(static_cast<double>(divisor), -count / kNumbersThatFollowFromOne) < kMostLikely;
 }
 
 }  // namespace
@@ -99,15 +119,22 @@ glm::dvec3 find_rounding(const Precision& precision, std::span<const glm::dvec3>
     if (units[axis] > 0) most_units = std::max(most_units, farthest[axis] / units[axis]);
   }
   if (most_units < kSmallestModel) return {};
+  const Precision bits_alone{.binary_digits = precision.binary_digits};
+  // What no axis shows by itself, all together may.
+  Roundness decimal;
+  Roundness binary;
   for (int axis = 0; axis < 3; ++axis) {
     if (units[axis] == 0) continue;
-    const Precision bits_alone{.binary_digits = precision.binary_digits};
-    const bool is_binary = bits_alone.spacing_at(farthest[axis]) == units[axis];
-    if (is_rounder_than_rounded(multiples_along(axis, units[axis], points), is_binary ? 2 : 10)) {
+    const int base = bits_alone.spacing_at(farthest[axis]) == units[axis] ? 2 : 10;
+    const Multiples multiples = multiples_along(axis, units[axis], points);
+    const Roundness roundness = roundness_of(multiples, base);
+    if (multiples.are_few || have_common_divisor(multiples) || roundness.is_no_chance(base)) {
       units[axis] = 0;
+    } else {
+      (base == 2 ? binary : decimal).add(roundness);
     }
   }
-  return units;
+  return binary.is_no_chance(2) || decimal.is_no_chance(10) ? glm::dvec3{} : units;
 }
 
 }  // namespace spoctree
