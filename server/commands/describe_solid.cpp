@@ -1,5 +1,8 @@
 #include "server/commands/describe_solid.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/report/json_text.hpp"
 
 namespace spoctree {
@@ -13,14 +16,18 @@ std::string units_text(glm::dvec3 units, const char* separator) {
   return text + separator + to_short_text(units.y) + separator + to_short_text(units.z);
 }
 
-std::string digits_text(const Precision& precision) {
-  if (precision.decimal_digits > 0) {
-    return std::to_string(precision.decimal_digits) + " significant digits";
+// Of the limits, the one that makes the unit.
+std::string digits_text(const FlatToleranceTaken& taken) {
+  const glm::dvec3 units = taken.rounding;
+  const double unit = std::max({units.x, units.y, units.z});
+  int exponent = 0;
+  if (std::frexp(unit, &exponent) == 0.5 && taken.precision.binary_digits == 24) {
+    return "the file has numbers of 24 bits";
   }
-  if (precision.binary_digits < Precision{}.binary_digits) {
-    return "numbers of " + std::to_string(precision.binary_digits) + " bits";
+  if (taken.precision.decimal_digits > 0) {
+    return "the file has " + std::to_string(taken.precision.decimal_digits) + " significant digits";
   }
-  return "multiples of " + to_short_text(precision.unit);
+  return "the file has multiples of " + to_short_text(taken.precision.unit);
 }
 
 double rounded_fraction(const FlatToleranceTaken& taken) {
@@ -36,8 +43,8 @@ std::string describe_flat_tolerance(const FlatToleranceTaken& taken) {
   }
   const glm::dvec3 units = taken.rounding;
   return to_short_text(taken.rounded_spread) + " (" + to_short_text(rounded_fraction(taken)) +
-         " of the diagonal: the file has " + digits_text(taken.precision) +
-         ", coordinates are rounded to " + units_text(units, ", ") +
+         " of the diagonal: " + digits_text(taken) + ", coordinates are rounded to " +
+         units_text(units, ", ") +
          (units.y == units.x && units.z == units.x ? "" : " along x, y, z") + ")";
 }
 

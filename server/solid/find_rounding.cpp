@@ -12,7 +12,7 @@ namespace spoctree {
 namespace {
 
 // A model that is nowhere larger than this many units is one of few digits by design.
-constexpr double kSmallestModel = 1000;
+constexpr double kSmallestModel = 300;
 
 // Numbers nearer to a multiple of the unit than this fraction are one.
 constexpr double kNearlyMultiple = 1e-4;
@@ -24,7 +24,12 @@ constexpr double kDeviations = 5;
 constexpr double kMargin = 2;
 // The chance of all having a common divisor is then one in so many.
 constexpr double kMostLikely = 1e-4;
-constexpr double kNumbersThatFollowFromOne = 3;
+constexpr double kNumbersThatFollowFromOne = 2;
+
+// Along the axis of a prism coordinates are those of its two ends, and of what is between them.
+constexpr std::size_t kMostOfPrism = 3;
+// Along an axis along which a model has fewer units than this, nothing can be told.
+constexpr double kThinnest = 5;
 
 // One number that ends with more zeros, such as that of a corner which a model was placed by, says
 // no more than with these.
@@ -40,7 +45,7 @@ bool is_no_chance(double found, double trials, double mean, double variance) {
 struct Multiples {
   std::vector<std::int64_t> whole;  ///< sorted, without 0
   std::size_t others = 0;           ///< with digits beyond the unit
-  bool are_few = false;             ///< no more than two different ones, with their signs
+  bool are_few = false;  ///< no more different ones than along the axis of a prism, or all near
 };
 
 void keep_different(std::vector<double>& values) {
@@ -54,7 +59,7 @@ Multiples multiples_along(int axis, double unit, std::span<const glm::dvec3> poi
   for (const glm::dvec3& p : points) values.push_back(p[axis] / unit);
   keep_different(values);
   Multiples found;
-  found.are_few = values.size() <= 2;
+  found.are_few = values.size() <= kMostOfPrism || values.back() - values.front() < kThinnest;
   for (double& value : values) value = std::abs(value);
   keep_different(values);
   for (const double value : values) {
