@@ -14,8 +14,9 @@ namespace spoctree {
 /// It is the spacing of the file's numbers at the largest coordinate (coordinate_spacing), unless
 /// the coordinates, each different one counted once and without its sign, are rounder than rounded
 /// numbers are by chance (with a chance far below 10^-3): they end with more zeros, are multiples
-/// of five too often, or are all multiples of something larger. What is less than 300 units large,
-/// or has no more than three different coordinates, is taken for what it says. n log n.
+/// of five too often, or are all multiples of something larger. A model less than 300 units large,
+/// and along an axis one of less than 5 units or of three different coordinates at most, is taken
+/// for what it says. n log n.
 glm::dvec3 find_rounding(const Precision& precision, std::span<const glm::dvec3> points);
 
 }  // namespace spoctree
