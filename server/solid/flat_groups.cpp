@@ -74,11 +74,18 @@ FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
   return group_patches(grow_patches(surface, tolerance), surface, tolerance);
 }
 
-std::optional<FlatGroups> find_rounded_groups(const FlatSurface& surface,
-                                              const FlatTolerance& tolerance) {
+FlatAndRoundedGroups find_flat_and_rounded_groups(const FlatSurface& surface,
+                                                  const FlatTolerance& tolerance) {
+  FlatAndRoundedGroups found;
   std::vector<PlanarPatch> patches = grow_patches(surface, tolerance.spread);
-  if (!join_rounded(patches, surface, tolerance)) return std::nullopt;
-  return group_patches(std::move(patches), surface, tolerance.spread);
+  if (tolerance.has_rounding()) {
+    std::vector<PlanarPatch> joined = patches;
+    if (join_rounded(joined, surface, tolerance)) {
+      found.rounded = group_patches(std::move(joined), surface, tolerance.spread);
+    }
+  }
+  found.flat = group_patches(std::move(patches), surface, tolerance.spread);
+  return found;
 }
 
 std::size_t count_planes(const FlatGroups& groups) {

@@ -31,10 +31,14 @@ struct FlatGroups {
 /// them: of the many small ones of a scan, some always do. n log n.
 FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance);
 
-/// The same, with those joined that were flat before corners were rounded (join_rounded). Nothing
-/// if that saves next to no group. REQUIRES: tolerance.has_rounding().
-std::optional<FlatGroups> find_rounded_groups(const FlatSurface& surface,
-                                              const FlatTolerance& tolerance);
+/// The same within tolerance.spread, and where there was rounding, with those joined that were flat
+/// before it (join_rounded), unless that saves next to no group.
+struct FlatAndRoundedGroups {
+  FlatGroups flat;
+  std::optional<FlatGroups> rounded;
+};
+FlatAndRoundedGroups find_flat_and_rounded_groups(const FlatSurface& surface,
+                                                  const FlatTolerance& tolerance);
 
 /// How many planes a surface has whose groups are in one plane each.
 std::size_t count_planes(const FlatGroups& groups);

@@ -27,6 +27,9 @@ constexpr double kSmallestCosine = 0.5;
 // The variance of a number that was rounded to multiples of 1.
 constexpr double kVariance = 1.0 / 12;
 
+// Beyond the limit by so much, a pair is bent without looking closer.
+constexpr double kSurelyBent = 1.1;
+
 // Wider along an axis than this (units), what is rounded may have been at an angle to it.
 constexpr double kFlatToAxis = 1.01;
 
@@ -144,6 +147,7 @@ class Joiner {
   void begin_clusters(const std::vector<PlanarPatch>& patches);
   void add_triangle(Cluster& cluster, std::uint32_t number, std::uint32_t triangle);
   bool is_sliver(std::uint32_t triangle) const;
+  bool are_bent(const Cluster& a, const Cluster& b) const;
   double cost_of(std::uint32_t a, std::uint32_t b) const;
   void push(std::uint32_t triangle, std::uint32_t edge);
   void push_all();
@@ -221,6 +225,29 @@ void Joiner::begin_clusters(const std::vector<PlanarPatch>& patches) {
   for (Cluster& cluster : clusters_) cluster.version = next_version_++;
 }
 
+// For two triangles that share an edge: four corners c, whose distances from their plane of least
+// squares are as volume / area_c, where the areas are of the triangles that leave out one of them.
+// Most pairs of a curved surface are told apart by this.
+bool Joiner::are_bent(const Cluster& a, const Cluster& b) const {
+  std::uint32_t other = kNone;
+  for (const std::uint32_t v : b.vertices) {
+    if (!a.has(v)) other = v;
+  }
+  if (other == kNone) return false;
+  using Double = Eigen::Vector3d;
+  const Vector base = scaled(a.vertices[0]);
+  const Double p = (scaled(a.vertices[1]) - base).cast<double>();
+  const Double q = (scaled(a.vertices[2]) - base).cast<double>();
+  const Double r = (scaled(other) - base).cast<double>();
+  const Double pq = p.cross(q);
+  const Double qr = q.cross(r);
+  const Double rp = r.cross(p);
+  const double volume = pq.dot(r);
+  const double areas =
+      pq.squaredNorm() + qr.squaredNorm() + rp.squaredNorm() + (pq + qr + rp).squaredNorm();
+  return volume * volume > kSurelyBent * kVariance * largest_chi_squared(1) * areas;
+}
+
 // How much less likely rounding explains both together than each alone; infinite if it does not.
 double Joiner::cost_of(std::uint32_t a, std::uint32_t b) const {
   constexpr double kNever = std::numeric_limits<double>::infinity();
@@ -233,6 +260,9 @@ double Joiner::cost_of(std::uint32_t a, std::uint32_t b) const {
   if (!large.is_sliver && !small.is_sliver &&
       dot(large.area, small.area) <
           kSmallestCosine * std::sqrt(dot(large.area, large.area) * dot(small.area, small.area))) {
+    return kNever;
+  }
+  if (large.vertices.size() == 3 && small.vertices.size() == 3 && are_bent(large, small)) {
     return kNever;
   }
   const Vector size = large.upper.cwiseMax(small.upper) - large.lower.cwiseMin(small.lower);

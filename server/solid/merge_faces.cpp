@@ -49,22 +49,15 @@ std::array<double, 2> finest_of(const Corners& t, std::span<const GridPoint> poi
 }
 
 struct Grouping {
-  FlatGroups in_planes;  // already
-  FlatGroups flat;       // within the tolerance
-  std::optional<FlatGroups> rounded;  // and before rounding
+  FlatGroups in_planes;        // already
+  FlatAndRoundedGroups found;  // within the tolerance
 };
 
 Grouping find_groups(const FlatSurface& surface, const FlatTolerance& tolerance) {
-  Grouping found;
-  parallel_invoke(
-      [&] {
-        found.in_planes = find_groups_in_planes(surface);
-        found.flat = find_flat_groups(surface, tolerance.spread);
-      },
-      [&] {
-        if (tolerance.has_rounding()) found.rounded = find_rounded_groups(surface, tolerance);
-      });
-  return found;
+  Grouping groups;
+  parallel_invoke([&] { groups.in_planes = find_groups_in_planes(surface); },
+                  [&] { groups.found = find_flat_and_rounded_groups(surface, tolerance); });
+  return groups;
 }
 
 class Merger {
@@ -372,14 +365,14 @@ std::optional<PlanarSurface> merge_groups(const GridMesh& mesh, const FlatSurfac
                                           const ShellJudgement& shells,
                                           const FlatTolerance& tolerance) {
   std::optional<PlanarSurface> rounded;
-  if (groups.rounded) {
-    const std::size_t fewest_without = count_planes(groups.flat);
-    rounded = Merger(mesh, surface, groups.in_planes, std::move(*groups.rounded), boxes, shells,
+  if (groups.found.rounded) {
+    const std::size_t fewest_without = count_planes(groups.found.flat);
+    rounded = Merger(mesh, surface, groups.in_planes, std::move(*groups.found.rounded), boxes, shells,
                      tolerance)
                   .merge();
     if (rounded && plane_count(*rounded) <= fewest_without) return rounded;
   }
-  auto merged = Merger(mesh, surface, std::move(groups.in_planes), std::move(groups.flat), boxes,
+  auto merged = Merger(mesh, surface, std::move(groups.in_planes), std::move(groups.found.flat), boxes,
                        shells, {tolerance.spread, {}})
                     .merge();
   if (rounded && (!merged || plane_count(*rounded) < plane_count(*merged))) return rounded;
