@@ -29,9 +29,9 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
   command
       .add_option("--flat-tolerance", options.flat_tolerance,
                   "neighbouring faces that are flat within so much of the diagonal become one, and "
-                  "corners move by less than twice that; 0 keeps every plane")
-      ->check(CLI::Range(0.0, kLargestFlatTolerance) & CLI::Validator(is_number, "NUMBER"))
-      ->capture_default_str();
+                  "corners move by less than twice that; 0 keeps every plane. Unless given, 1e-6, "
+                  "or where the file's coordinates are rounded more coarsely, what that explains")
+      ->check(CLI::Range(0.0, kLargestFlatTolerance) & CLI::Validator(is_number, "NUMBER"));
   command.add_flag(
       "--repair", options.repair,
       "drop copies of faces and triangles without area, turn faces that disagree, fill "

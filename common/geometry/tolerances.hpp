@@ -11,6 +11,13 @@ namespace spoctree {
 /// precision.
 inline constexpr double kDefaultFlatTolerance = 1e-6;
 
+/// Where a file's coordinates were rounded more coarsely than that, neighbours become one face that
+/// were one before they were rounded: each corner within half a unit of its last digit from the
+/// face along each axis, times this. It leaves room for the plane, which is only known from rounded
+/// corners itself: by least squares over four of them, it is off by up to a quarter of what they
+/// are.
+inline constexpr double kRoundingSlack = 1.25;
+
 /// Rebuilt vertices closer than this become one vertex: several planes that meet in one vertex of
 /// the solid meet, once rounded to the grid, in a cluster of vertices far smaller than this.
 inline constexpr double kWeldTolerance = 1e-10;

@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "common/base/errors.hpp"
-#include "common/report/json_text.hpp"
 #include "common/tree/validate.hpp"
 #include "common/wire/hash.hpp"
 #include "common/wire/mapped_file.hpp"
 #include "common/wire/spo_writer.hpp"
 #include "server/build/build_octree.hpp"
 #include "server/build/certify.hpp"
+#include "server/commands/describe_solid.hpp"
 #include "server/commands/tree_options.hpp"
 #include "server/mesh/read_mesh.hpp"
 #include "server/solid/import_solid.hpp"
@@ -34,12 +34,13 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
-SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions& options) {
+SourceInfo describe_source(const std::filesystem::path& mesh, const ModelOptions& options,
+                           const SolidReport& report) {
   SourceInfo source;
   source.name = mesh.filename().string();
   source.hash = hash_bytes(MappedFile(mesh).bytes());
-  source.build_options = describe_rules(options.rules) +
-                         " flat-tolerance=" + to_text(options.flat_tolerance) +
+  source.build_options = describe_rules(options.rules) + " " +
+                         flat_tolerance_options(report.flat_tolerance) +
                          (options.repair ? " repair" : "");
   return source;
 }
@@ -149,7 +150,7 @@ Model build_model(const std::filesystem::path& mesh, const ModelOptions& options
     throw std::logic_error(mesh.string() + ": the program has built an invalid tree (" +
                            broken.front() + "): please report this");
   }
-  model.spo = encode_spo(model.tree, describe_source(mesh, options));
+  model.spo = encode_spo(model.tree, describe_source(mesh, options, model.report));
   return model;
 }
 

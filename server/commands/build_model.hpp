@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +20,9 @@ inline constexpr double kLargestFlatTolerance = 0.05;
 
 /// What the user can set.
 struct ModelOptions {
-  TreeRules rules;                                ///< depths of 0 to kMaxDepth
-  double flat_tolerance = kDefaultFlatTolerance;  ///< see ImportOptions; to kLargestFlatTolerance
-  bool repair = false;                            ///< see server/solid/repair.hpp
+  TreeRules rules;                       ///< depths of 0 to kMaxDepth
+  std::optional<double> flat_tolerance;  ///< see ImportOptions; to kLargestFlatTolerance
+  bool repair = false;                   ///< see server/solid/repair.hpp
 };
 
 /// What came of a mesh file.

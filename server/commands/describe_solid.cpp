@@ -1,8 +1,58 @@
 #include "server/commands/describe_solid.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "common/report/json_text.hpp"
 
 namespace spoctree {
+
+namespace {
+
+// One number where all axes have the same.
+std::string units_text(glm::dvec3 units, const char* separator) {
+  std::string text = to_short_text(units.x);
+  if (units.y == units.x && units.z == units.x) return text;
+  return text + separator + to_short_text(units.y) + separator + to_short_text(units.z);
+}
+
+// Of the limits, the one that makes the unit.
+std::string digits_text(const FlatToleranceTaken& taken) {
+  const glm::dvec3 units = taken.rounding;
+  const double unit = std::max({units.x, units.y, units.z});
+  int exponent = 0;
+  if (std::frexp(unit, &exponent) == 0.5 && taken.precision.binary_digits == 24) {
+    return "the file has numbers of 24 bits";
+  }
+  if (taken.precision.decimal_digits > 0) {
+    return "the file has " + std::to_string(taken.precision.decimal_digits) + " significant digits";
+  }
+  return "the file has multiples of " + to_short_text(taken.precision.unit);
+}
+
+double rounded_fraction(const FlatToleranceTaken& taken) {
+  return taken.fraction * taken.rounded_spread / taken.spread;
+}
+
+}  // namespace
+
+std::string describe_flat_tolerance(const FlatToleranceTaken& taken) {
+  if (!taken.is_by_rounding()) {
+    return to_short_text(taken.spread) + " (" + to_short_text(taken.fraction) + " of the diagonal" +
+           (taken.was_given ? ", as given)" : ")");
+  }
+  const glm::dvec3 units = taken.rounding;
+  return to_short_text(taken.rounded_spread) + " (" + to_short_text(rounded_fraction(taken)) +
+         " of the diagonal: " + digits_text(taken) + ", coordinates are rounded to " +
+         units_text(units, ", ") +
+         (units.y == units.x && units.z == units.x ? "" : " along x, y, z") + ")";
+}
+
+std::string flat_tolerance_options(const FlatToleranceTaken& taken) {
+  if (!taken.is_by_rounding()) return "flat-tolerance=" + to_text(taken.fraction);
+  return "flat-tolerance=" + to_short_text(rounded_fraction(taken)) +
+         " rounding=" + units_text(taken.rounding, ",");
+}
 
 std::string describe_solid(const std::string& name, const SolidReport& report,
                            std::size_t plane_count, double volume) {
@@ -21,6 +71,7 @@ std::string describe_solid(const std::string& name, const SolidReport& report,
             std::to_string(plane_count) + ", no corner moved farther than " +
             to_short_text(report.largest_move) + "\n";
   }
+  text += "flat tolerance: " + describe_flat_tolerance(report.flat_tolerance) + "\n";
   return text;
 }
 

@@ -110,6 +110,7 @@ std::string info_of_mesh(const InfoArguments& arguments) {
       {"planes_before_merging", std::to_string(report.planes_before_merging)},
       {"largest_move", to_text(report.largest_move)},
       {"remarks", "[" + remarks + "]"},
+      {"flat_tolerance", quote_json(describe_flat_tolerance(report.flat_tolerance))},
   };
   return arguments.as_json ? to_json(fields) : to_lines(fields);
 }

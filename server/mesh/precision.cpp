@@ -13,9 +13,15 @@ constexpr int kSinglesDigits = 7;  // which any number of so many has
 
 // Fewer significant digits are what a designer writes, not what rounding leaves.
 constexpr int kFewestDigitsAsLimit = 4;
-// The chance that numbers show a limit that is none is 10^-4, and 2^-20.
-constexpr std::uint64_t kDigitsOfEvidence = 4;
+// Longer words have more digits than any double.
+constexpr int kLongestWord = 400;
+// The chance that numbers show a limit that is none is 10^-2, and 2^-20.
+constexpr std::uint64_t kDigitsOfEvidence = 2;
 constexpr int kBitsOfEvidence = 20;
+
+// One number that lacks more digits, such as that of a corner which a model was placed by, says no
+// more than with these.
+constexpr int kMostMissingDigits = 2;
 
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
 
@@ -102,6 +108,7 @@ glm::dvec3 coordinate_spacing(const Precision& precision, std::span<const glm::d
 }
 
 void DigitRecord::compare_with_single(double value, int last_place) {
+  if (value == 0) return;  // too small for a double
   const double single = static_cast<double>(static_cast<float>(value));
   const double unit = power_of_ten(last_place);
   // Not exactly a half: the value itself is rounded.
@@ -111,11 +118,17 @@ void DigitRecord::compare_with_single(double value, int last_place) {
   }
   const double spacing = spacing_of_bits(std::abs(value), kSingleBits);
   if (spacing > unit && evidence_for_single_ < kBitsOfEvidence) {
-    evidence_for_single_ += std::ilogb(spacing / unit);
+    evidence_for_single_ += std::min(kBitsOfEvidence, std::ilogb(spacing / unit));
   }
 }
 
 void DigitRecord::add(int axis, std::string_view word, double value) {
+  if (word.size() > std::size_t{kLongestWord}) {
+    ++numbers_;
+    lowest_place_ = -kLongestWord;
+    most_digits_ = kLongestWord;
+    return;
+  }
   const WrittenDigits written = read_digits(word);
   if (!written.has_exponent || !written.is_zero) {
     lowest_place_ = std::min(lowest_place_, written.last_place);
@@ -138,26 +151,28 @@ void DigitRecord::add(int axis, std::string_view word, double value) {
 // if numbers were rounded there.
 bool DigitRecord::has_digits_as_limit(int digits, int last_place) const {
   if (digits < kFewestDigitsAsLimit || digits >= kMostDigits) return false;
+  std::uint64_t evidence = 0;
   for (const Counts& counts : counts_) {
     std::uint64_t numbers = 0;
     std::uint64_t missing = 0;           // of `digits`
     std::uint64_t missing_to_place = 0;  // down to `last_place`
     for (int decade = 0; decade < kDecades; ++decade) {
-      for (int used = 1; used <= std::min(digits, kMostDigits); ++used) {
+      for (int used = 1; used <= digits; ++used) {
         const std::uint64_t count =
             counts[static_cast<std::size_t>(decade)][static_cast<std::size_t>(used)];
         if (count == 0) continue;
+        const auto zeros = [count](int places) {
+          return count * static_cast<std::uint64_t>(std::clamp(places, 0, kMostMissingDigits));
+        };
         numbers += count;
-        missing += count * static_cast<std::uint64_t>(digits - used);
-        missing_to_place += count * static_cast<std::uint64_t>(std::max(
-                                        0, decade + kLowestDecade - used + 1 - last_place));
+        missing += zeros(digits - used);
+        missing_to_place += zeros(decade + kLowestDecade - used + 1 - last_place);
       }
     }
-    if (numbers > 0 && 2 * missing <= numbers && missing + kDigitsOfEvidence <= missing_to_place) {
-      return true;
-    }
+    const bool is_in_full = 2 * missing <= numbers;
+    if (is_in_full && missing_to_place > missing) evidence += missing_to_place - missing;
   }
-  return false;
+  return evidence >= kDigitsOfEvidence;
 }
 
 Precision DigitRecord::precision() const {

@@ -5,6 +5,7 @@
 
 #include "server/solid/fit_plane.hpp"
 #include "server/solid/grow_patches.hpp"
+#include "server/solid/join_rounded.hpp"
 #include "server/solid/share_planes.hpp"
 
 namespace spoctree {
@@ -49,10 +50,8 @@ void gather_equal_planes(const FlatSurface& surface, std::vector<PlanarPatch>& p
   }
 }
 
-}  // namespace
-
-FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
-  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance);
+FlatGroups group_patches(std::vector<PlanarPatch> patches, const FlatSurface& surface,
+                         double tolerance) {
   gather_equal_planes(surface, patches);
   const std::vector<std::uint32_t> number_of = share_planes(patches, surface, tolerance);
   FlatGroups found;
@@ -67,6 +66,33 @@ FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
     for (const std::uint32_t t : found.groups[g].triangles) found.of_triangle[t] = g;
   }
   return found;
+}
+
+}  // namespace
+
+FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance) {
+  return group_patches(grow_patches(surface, tolerance), surface, tolerance);
+}
+
+FlatAndRoundedGroups find_flat_and_rounded_groups(const FlatSurface& surface,
+                                                  const FlatTolerance& tolerance) {
+  FlatAndRoundedGroups found;
+  std::vector<PlanarPatch> patches = grow_patches(surface, tolerance.spread);
+  if (tolerance.has_rounding()) {
+    std::vector<PlanarPatch> joined = patches;
+    if (join_rounded(joined, surface, tolerance)) {
+      found.rounded = group_patches(std::move(joined), surface, tolerance.spread);
+    }
+  }
+  found.flat = group_patches(std::move(patches), surface, tolerance.spread);
+  return found;
+}
+
+std::size_t count_planes(const FlatGroups& groups) {
+  const auto is_used = [](const FlatGroup& group) { return !group.triangles.empty(); };
+  const auto used = std::count_if(groups.groups.begin(), groups.groups.end(), is_used);
+  const auto alone = std::count(groups.of_triangle.begin(), groups.of_triangle.end(), kNone);
+  return static_cast<std::size_t>(used + alone);
 }
 
 void collect_groups_around(const FlatSurface& surface, const FlatGroups& groups,

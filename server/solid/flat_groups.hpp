@@ -1,7 +1,10 @@
 // Triangles into groups that are to lie in one plane.
 #pragma once
 
+#include <optional>
+
 #include "server/solid/flat_surface.hpp"
+#include "server/solid/flat_tolerance.hpp"
 
 namespace spoctree {
 
@@ -27,6 +30,18 @@ struct FlatGroups {
 /// single triangles far from each other lie in one plane within a tolerance says nothing about
 /// them: of the many small ones of a scan, some always do. n log n.
 FlatGroups find_flat_groups(const FlatSurface& surface, double tolerance);
+
+/// The same within tolerance.spread, and where there was rounding, with those joined that were flat
+/// before it (join_rounded), unless that saves next to no group.
+struct FlatAndRoundedGroups {
+  FlatGroups flat;
+  std::optional<FlatGroups> rounded;
+};
+FlatAndRoundedGroups find_flat_and_rounded_groups(const FlatSurface& surface,
+                                                  const FlatTolerance& tolerance);
+
+/// How many planes a surface has whose groups are in one plane each.
+std::size_t count_planes(const FlatGroups& groups);
 
 /// A corner and a group around it on whose plane it cannot lie.
 struct CornerConflict {

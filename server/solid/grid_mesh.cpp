@@ -51,7 +51,8 @@ std::string counted(std::size_t count, std::string_view thing) {
   return std::to_string(count) + " " + std::string(thing) + (count == 1 ? "" : "s");
 }
 
-GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name) {
+GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name,
+                       double most_move) {
   GridMesh mesh;
   mesh.name = name;
   mesh.points = points;
@@ -72,7 +73,7 @@ GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name
     mesh.fail("its extent is " + to_text(extent) + ", not between " + to_text(kSmallestExtent) +
               " and " + to_text(kLargestExtent));
   }
-  mesh.universe = universe_around(lower, upper);
+  mesh.universe = universe_around(lower - most_move, upper + most_move);
   mesh.box_diagonal = glm::length(size / mesh.universe.scale());
 
   FirstFound<std::uint32_t> collisions;

@@ -48,10 +48,12 @@ struct GridMesh {
   [[noreturn]] void fail(const std::string& what) const;
 };
 
-/// Chooses the universe cube and rounds the points to its grid; the mesh has no triangles yet.
-/// Throws BadInput if there is no point, if a coordinate is not finite or the extent is not between
-/// the limits above, and if different points become one.
-GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name);
+/// Chooses the universe cube, so that points may still move by `most_move` (in the file's units),
+/// and rounds the points to its grid; the mesh has no triangles yet. Throws BadInput if there is no
+/// point, if a coordinate is not finite or the extent is not between the limits above, and if
+/// different points become one.
+GridMesh place_on_grid(std::span<const glm::dvec3> points, std::string_view name,
+                       double most_move = 0);
 
 /// "1 border edge", "223 border edges".
 std::string counted(std::size_t count, std::string_view thing);

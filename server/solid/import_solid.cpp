@@ -1,9 +1,12 @@
 #include "server/solid/import_solid.hpp"
 
 #include <cassert>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "server/solid/facets.hpp"
+#include "server/solid/find_rounding.hpp"
 #include "server/solid/grid_mesh.hpp"
 #include "server/solid/merge_faces.hpp"
 #include "server/solid/neighbours.hpp"
@@ -77,6 +80,41 @@ void turn(std::vector<Corners>& triangles, std::vector<Corners>& neighbours,
   shells.volume = -shells.volume;
 }
 
+// In the file's units; what is not by rounding is not yet known in them.
+FlatToleranceTaken choose_flat_tolerance(const PolygonSoup& soup, const ImportOptions& options) {
+  FlatToleranceTaken taken;
+  taken.fraction = options.flat_tolerance.value_or(kDefaultFlatTolerance);
+  taken.was_given = options.flat_tolerance.has_value();
+  if (soup.points.empty()) return taken;
+  glm::dvec3 lower = soup.points.front();
+  glm::dvec3 upper = lower;
+  for (const glm::dvec3& p : soup.points) {
+    lower = glm::min(lower, p);
+    upper = glm::max(upper, p);
+  }
+  taken.spread = taken.fraction * glm::length(upper - lower);
+  if (taken.was_given) return taken;
+  // The first is the quicker question.
+  const glm::dvec3 spacing = coordinate_spacing(soup.precision, soup.points);
+  if (!(kRoundingSlack * glm::length(spacing) > taken.spread)) return taken;
+  const glm::dvec3 rounding = find_rounding(soup.precision, soup.points);
+  const double rounded_spread = kRoundingSlack * glm::length(rounding);
+  if (!(rounded_spread > taken.spread)) return taken;
+  taken.rounding = rounding;
+  taken.rounded_spread = rounded_spread;
+  taken.precision = soup.precision;
+  return taken;
+}
+
+FlatTolerance in_universe_units(const FlatToleranceTaken& taken, const GridMesh& mesh) {
+  FlatTolerance tolerance;
+  tolerance.spread = taken.fraction * mesh.box_diagonal;
+  for (int i = 0; i < 3; ++i) {
+    tolerance.rounding[static_cast<std::size_t>(i)] = taken.rounding[i] / mesh.universe.scale();
+  }
+  return tolerance;
+}
+
 Solid make_solid(PlanarSurface surface, SolidReport report) {
   Solid solid;
   solid.report = std::move(report);
@@ -99,7 +137,8 @@ Solid make_solid(PlanarSurface surface, SolidReport report) {
 }  // namespace
 
 Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions& options) {
-  assert(options.flat_tolerance >= 0 && options.flat_tolerance < 0.1);
+  assert(!options.flat_tolerance ||
+         (*options.flat_tolerance >= 0 && *options.flat_tolerance < 0.1));
   const auto report_progress = [&options](double fraction) {
     if (options.progress) options.progress(fraction);
   };
@@ -107,7 +146,9 @@ Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions&
   GridSettlement settled = settle_on_grid(soup);
   report.merged_points = settled.merged_points;
   report.settled = std::move(settled.changes);
-  GridMesh mesh = place_on_grid(soup.points, name);
+  report.flat_tolerance = choose_flat_tolerance(soup, options);
+  // Corners of rounded faces may move farther than the universe cube has room by itself.
+  GridMesh mesh = place_on_grid(soup.points, name, report.flat_tolerance.rounded_spread);
   triangulate(soup, mesh, report);
   std::vector<Corners> neighbours = find_neighbours(mesh);
   report_progress(0.25);
@@ -122,7 +163,7 @@ Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions&
 
   report_progress(0.7);
 
-  const double tolerance = options.flat_tolerance * mesh.box_diagonal;
+  const FlatTolerance tolerance = in_universe_units(report.flat_tolerance, mesh);
   return make_solid(merge_faces(std::move(mesh), std::move(neighbours), boxes, shells, tolerance),
                     std::move(report));
 }

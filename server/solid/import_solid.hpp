@@ -1,6 +1,7 @@
 // A polygon soup into a solid, or the reason why it is none.
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "common/base/progress_meter.hpp"
@@ -13,8 +14,11 @@ namespace spoctree {
 struct ImportOptions {
   /// Neighbours whose corners lie between two parallel planes this far apart become one face, as a
   /// fraction of the diagonal of the bounding box; corners move onto its plane, by less than twice
-  /// this. What would not bound a solid any more is merged less. 0: nothing is merged.
-  double flat_tolerance = kDefaultFlatTolerance;
+  /// this. What would not bound a solid any more is merged less. 0: nothing is merged. Unless
+  /// given, it is kDefaultFlatTolerance, and where the file's coordinates were rounded more
+  /// coarsely (find_rounding), faces are also what was one before that, up to the rounding
+  /// (join_rounded.hpp).
+  std::optional<double> flat_tolerance = {};
   /// Shells that face the wrong way for how they nest (an inside-out part, an outside-out cavity)
   /// are turned instead of refused (report.turned_shells).
   bool turn_shells = false;

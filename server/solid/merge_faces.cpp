@@ -23,9 +23,6 @@ constexpr int kMostRounds = 24;
 // From this round on, pins spread to the neighbours of what is wrong.
 constexpr int kFirstSpreadingRound = 6;
 
-// Corners stay this much below twice the tolerance.
-constexpr double kMostMoves = 2 - 0x1p-20;
-
 // What becomes smaller than this (universe units) by moving, and was not nearly so before, is as
 // good as collapsed: rebuilding could hardly tell it from nothing.
 constexpr double kFinest = 0x1p-33;
@@ -52,29 +49,29 @@ std::array<double, 2> finest_of(const Corners& t, std::span<const GridPoint> poi
 }
 
 struct Grouping {
-  FlatGroups in_planes;  // already
-  FlatGroups flat;       // within the tolerance
+  FlatGroups in_planes;        // already
+  FlatAndRoundedGroups found;  // within the tolerance
 };
 
-Grouping find_groups(const FlatSurface& surface, double tolerance) {
-  Grouping found;
-  parallel_invoke([&] { found.in_planes = find_groups_in_planes(surface); },
-                  [&] { found.flat = find_flat_groups(surface, tolerance); });
-  return found;
+Grouping find_groups(const FlatSurface& surface, const FlatTolerance& tolerance) {
+  Grouping groups;
+  parallel_invoke([&] { groups.in_planes = find_groups_in_planes(surface); },
+                  [&] { groups.found = find_flat_and_rounded_groups(surface, tolerance); });
+  return groups;
 }
 
 class Merger {
  public:
-  Merger(const GridMesh& mesh, const FlatSurface& surface, Grouping groups, const BoxTree& boxes,
-         const ShellJudgement& shells, double tolerance)
+  Merger(const GridMesh& mesh, const FlatSurface& surface, FlatGroups in_planes, FlatGroups flat,
+         const BoxTree& boxes, const ShellJudgement& shells, const FlatTolerance& tolerance)
       : mesh_(mesh),
         surface_(surface),
         boxes_(boxes),
         shells_(shells),
-        tolerance_(to_height(tolerance)),
-        gain_(surface, std::move(groups.in_planes)),
+        tolerance_(tolerance),
+        gain_(surface, std::move(in_planes)),
         is_given_back_(surface.triangles.size(), 0),
-        settler_(make_settler(surface, std::move(groups.flat), kMostMoves * tolerance)) {}
+        settler_(make_settler(surface, std::move(flat), tolerance.most_move())) {}
 
   /// Nothing if it does not work out.
   std::optional<PlanarSurface> merge();
@@ -104,7 +101,7 @@ class Merger {
   const FlatSurface& surface_;
   const BoxTree& boxes_;
   const ShellJudgement& shells_;
-  Int128 tolerance_;  // as a height
+  FlatTolerance tolerance_;
   MergingGain gain_;
   std::vector<std::uint8_t> is_given_back_;  // triangles
   CornerSettler settler_;
@@ -295,10 +292,11 @@ void Merger::regroup_folds(Attempt& attempt) {
 bool Merger::lies_near(std::uint32_t triangle, std::uint32_t group) const {
   const GridPlane& plane = settler_.groups().groups[group].plane;
   const Int128 offset = static_cast<Int128>(plane.offset) << kGridBits;
+  const Int128 most = to_height(tolerance_.rounded_spread(plane.normal));
   const Corners& corners = surface_.triangles[triangle];
   return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
     const Int128 height = plane.height(surface_.points[v]) - offset;
-    return -tolerance_ <= height && height <= tolerance_;
+    return -most <= height && height <= most;
   });
 }
 
@@ -356,14 +354,39 @@ std::optional<PlanarSurface> Merger::merge() {
   return std::nullopt;
 }
 
+std::size_t plane_count(const PlanarSurface& surface) {
+  return number_planes(surface.planes).first.size();
+}
+
+// What rounding explains need not work out together. Then it may be less than what the tolerance
+// merges without it.
+std::optional<PlanarSurface> merge_groups(const GridMesh& mesh, const FlatSurface& surface,
+                                          Grouping groups, const BoxTree& boxes,
+                                          const ShellJudgement& shells,
+                                          const FlatTolerance& tolerance) {
+  std::optional<PlanarSurface> rounded;
+  if (groups.found.rounded) {
+    const std::size_t fewest_without = count_planes(groups.found.flat);
+    rounded = Merger(mesh, surface, groups.in_planes, std::move(*groups.found.rounded), boxes, shells,
+                     tolerance)
+                  .merge();
+    if (rounded && plane_count(*rounded) <= fewest_without) return rounded;
+  }
+  auto merged = Merger(mesh, surface, std::move(groups.in_planes), std::move(groups.found.flat), boxes,
+                       shells, {tolerance.spread, {}})
+                    .merge();
+  if (rounded && (!merged || plane_count(*rounded) < plane_count(*merged))) return rounded;
+  return merged;
+}
+
 }  // namespace
 
 PlanarSurface merge_faces(GridMesh mesh, std::vector<Corners> neighbours, const BoxTree& boxes,
-                          const ShellJudgement& shells, double tolerance) {
+                          const ShellJudgement& shells, const FlatTolerance& tolerance) {
   FlatSurface surface = make_flat_surface(mesh.vertices, mesh.triangles, neighbours);
-  if (tolerance > 0) {
+  if (tolerance.spread > 0) {
     auto merged =
-        Merger(mesh, surface, find_groups(surface, tolerance), boxes, shells, tolerance).merge();
+        merge_groups(mesh, surface, find_groups(surface, tolerance), boxes, shells, tolerance);
     if (merged) {
       merged->planes_before_merging = surface.distinct_planes;
       return std::move(*merged);

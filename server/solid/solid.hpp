@@ -9,6 +9,7 @@
 
 #include "common/geometry/plane.hpp"
 #include "common/geometry/universe.hpp"
+#include "server/mesh/precision.hpp"
 
 namespace spoctree {
 
@@ -17,6 +18,22 @@ struct SolidTriangle {
   std::uint32_t vertex[3];
   std::uint32_t neighbour[3];  ///< the triangle across edge i
   std::uint32_t facet;
+};
+
+/// What counted as flat, and why.
+struct FlatToleranceTaken {
+  double fraction = 0;     ///< of the diagonal of the bounding box
+  double spread = 0;       ///< the same in model units; corners of a face lie between two parallel
+                           ///< planes so far apart
+  bool was_given = false;  ///< by ImportOptions
+  /// What the file's coordinates along each axis were rounded to, in model units, where that tells
+  /// more than `spread`; 0 else. Then faces are also what was one before rounding, whose corners
+  /// lie up to `rounded_spread` apart.
+  glm::dvec3 rounding{};
+  double rounded_spread = 0;  ///< model units, for the direction in which it is largest
+  Precision precision;        ///< of the file, for which they are taken to be rounded
+
+  bool is_by_rounding() const { return rounded_spread > 0; }
 };
 
 /// What import found and did, for the summary of `build`.
@@ -32,6 +49,7 @@ struct SolidReport {
   std::vector<std::string> settled;  ///< what the grid could not tell apart: settle_on_grid
   std::size_t planes_before_merging = 0;  ///< distinct planes with flat tolerance 0
   double largest_move = 0;  ///< of a corner onto the planes of merged faces, model units
+  FlatToleranceTaken flat_tolerance;
 };
 
 /// A closed, oriented, 2-manifold, not self-intersecting polyhedral solid (possibly of several
