@@ -9,6 +9,7 @@
 #include "server/solid/repair_holes.hpp"
 #include "server/solid/repair_needles.hpp"
 #include "server/solid/repair_orientation.hpp"
+#include "server/solid/resolve_overlaps.hpp"
 
 namespace spoctree {
 
@@ -38,6 +39,7 @@ class Repairer {
     log("turned", turned.faces, "face", " that disagreed with the faces around");
     // Otherwise the surface has no holes that could be told from its seams.
     if (turned.one_sided_edges == 0 && !has_crowded_edges(soup())) fill();
+    unite();
     return std::move(repair_);
   }
 
@@ -74,6 +76,12 @@ class Repairer {
     refuse(holes.too_large,
            "neither flat nor within " + to_percent(kLargestHole) + " of the diagonal in size");
     refuse(holes.unfillable, "that no patch of new edges closes");
+  }
+
+  void unite() {
+    ResolvedOverlaps resolved = resolve_overlaps(soup());
+    for (std::string& change : resolved.changes) repair_.changes.push_back(std::move(change));
+    if (!resolved.refusal.empty()) repair_.refusals.push_back(std::move(resolved.refusal));
   }
 
   std::function<std::string(const Hole&)> hole_place() const {
