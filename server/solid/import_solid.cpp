@@ -9,6 +9,7 @@
 #include "server/solid/neighbours.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/shells.hpp"
+#include "server/solid/touching.hpp"
 #include "server/solid/triangulate.hpp"
 
 namespace spoctree {
@@ -84,13 +85,15 @@ Solid make_solid(PlanarSurface surface, SolidReport report) {
   solid.volume = surface.shells.volume * scale * scale * scale;
   solid.report.planes_before_merging = surface.planes_before_merging;
   solid.report.largest_move = surface.largest_move * scale;
-  solid.triangles.reserve(surface.mesh.triangles.size());
-  for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i) {
-    const Corners& t = surface.mesh.triangles[i];
+  const std::vector<Corners> triangles = without_copies(surface.mesh, surface.mesh.triangles);
+  solid.triangles.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Corners& t = triangles[i];
     const Corners& n = surface.neighbours[i];
     solid.triangles.push_back({{t[0], t[1], t[2]}, {n[0], n[1], n[2]}, 0});
   }
   solid.vertices = std::move(surface.mesh.vertices);
+  solid.vertices.resize(solid.vertices.size() - surface.mesh.copy_of.size());
   group_into_facets(solid, surface.planes);
   return solid;
 }
@@ -105,7 +108,7 @@ Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportO
   SolidReport report;
   GridMesh mesh = place_on_grid(soup.points, name);
   triangulate(soup, mesh, report);
-  std::vector<Corners> neighbours = find_neighbours(mesh);
+  std::vector<Corners> neighbours = find_neighbours(mesh, options.may_touch_itself);
   report_progress(0.25);
 
   const BoxTree boxes = box_tree_of(mesh.vertices, mesh.triangles);
@@ -118,6 +121,7 @@ Solid import_solid(const PolygonSoup& soup, std::string_view name, const ImportO
 
   report_progress(0.7);
 
+  if (options.may_touch_itself) separate_fans(mesh, neighbours);
   const double tolerance = options.flat_tolerance * mesh.box_diagonal;
   return make_solid(merge_faces(std::move(mesh), std::move(neighbours), boxes, shells, tolerance),
                     std::move(report));
