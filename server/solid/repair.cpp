@@ -1,5 +1,6 @@
 #include "server/solid/repair.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <functional>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "server/solid/repair_needles.hpp"
 #include "server/solid/repair_orientation.hpp"
 #include "server/solid/resolve_overlaps.hpp"
+#include "server/solid/soup_edges.hpp"
 
 namespace spoctree {
 
@@ -26,6 +28,17 @@ bool has_crowded_edges(const PolygonSoup& soup) {
   for_each_edge(sides_by_edge(soup),
                 [&](std::span<const SoupSide> edge) { is_any = is_any || edge.size() > 2; });
   return is_any;
+}
+
+// Whether every edge is run along as often in one direction as in the other.
+bool is_closed(const PolygonSoup& soup) {
+  bool is_balanced = true;
+  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+    const auto up = std::count_if(edge.begin(), edge.end(),
+                                  [&](const SoupSide& side) { return runs_up(soup, side); });
+    is_balanced = is_balanced && 2 * up == std::ssize(edge);
+  });
+  return is_balanced;
 }
 
 class Repairer {
@@ -47,7 +60,14 @@ class Repairer {
   PolygonSoup& soup() { return repair_.soup; }
 
   void drop_duplicates() {
+    PolygonSoup before = soup();
     const DroppedDuplicates dropped = drop_duplicate_faces(soup());
+    if (dropped.copies.count() + dropped.partitions.count() == 0) return;
+    // Where parts overlap, faces of both may be equal: each part needs its own.
+    if (is_closed(before) && !is_closed(soup())) {
+      soup() = std::move(before);
+      return;
+    }
     log("dropped", dropped.copies, "copy", " of a face", "copies");
     log("dropped", dropped.partitions, "face", " between two parts of the solid");
   }

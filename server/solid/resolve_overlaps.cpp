@@ -1,7 +1,12 @@
 #include "server/solid/resolve_overlaps.hpp"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 #include <set>
@@ -21,12 +26,32 @@ namespace spoctree {
 
 namespace {
 
+// A corner nearer than this to a plane of another part, but not on it, was meant to be on it: what
+// double precision leaves of a solid that was turned (universe units).
+constexpr double kAsGoodAsOn = 0x1p-40;
+
+// Corners that are as good as on a face of another part are moved by so much, far more than the
+// grid's steps and far less than the flat tolerance; more if that does not do.
+constexpr double kLeastGrowth = 0x1p-34;
+constexpr double kMostGrowth = 0x1p-29;
+
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
+std::string to_short(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
 struct NotResolved : std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+// Cutting goes on and on: what meets is as thin as the grid.
+struct NotSettled : NotResolved {
+  using NotResolved::NotResolved;
 };
 
 // Triangles in the file's coordinates, each with the triangle of the file that it is a part of.
@@ -47,6 +72,17 @@ std::optional<Surface> triangles_of(const PolygonSoup& soup) {
   } catch (const BadInput&) {
     return std::nullopt;  // import_solid will say the same, and of whom
   }
+}
+
+// Exactly, in the file's coordinates: import_solid refuses such a triangle. One that is not on the
+// grid gets its corners from there.
+bool is_on_one_line(const Surface& surface, const Corners& t) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto at = [&](std::uint32_t v) {
+    const glm::dvec3 p = surface.points[v];
+    return Kernel::Point_3(p.x, p.y, p.z);
+  };
+  return CGAL::collinear(at(t[0]), at(t[1]), at(t[2]));
 }
 
 // The grid that import_solid would choose, and the triangles on it.
@@ -86,6 +122,9 @@ OnGrid place(Surface& surface) {
     for (std::uint32_t& v : c) v = becomes[v];
     const auto at = [&](std::size_t i) { return to_grid_integers(placed.points[c[i]]); };
     if (area_vector(at(0), at(1), at(2)) == AreaVector{0, 0, 0}) continue;
+    if (is_on_one_line(surface, c)) {
+      for (const std::uint32_t v : c) surface.points[v] = placed.universe.to_model(placed.points[v]);
+    }
     surface.triangles[end] = c;
     surface.source[end++] = surface.source[t];
   }
@@ -254,6 +293,66 @@ PolygonSoup soup_of(const Surface& surface, const CollapsedFaces& collapsed) {
   return soup;
 }
 
+// Whether a corner of `a` misses the plane of `b` by less than kAsGoodAsOn, but does miss it.
+bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  const auto at = [&](std::uint32_t v) {
+    const Vec3 p = placed.points[v];
+    return Kernel::Point_3(p.x, p.y, p.z);
+  };
+  const Vec3 origin = placed.points[b[0]];
+  const Vec3 normal = glm::normalize(
+      glm::cross(placed.points[b[1]] - origin, placed.points[b[2]] - origin));
+  return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) {
+    if (v == b[0] || v == b[1] || v == b[2]) return false;
+    if (!(std::abs(glm::dot(normal, placed.points[v] - origin)) < kAsGoodAsOn)) return false;
+    return CGAL::orientation(at(b[0]), at(b[1]), at(b[2]), at(v)) != CGAL::COPLANAR;
+  });
+}
+
+// Moves the corners of triangles that touch but for rounding outwards, by `way` (universe units),
+// or somewhat more, in each part by another length; returns the farthest move, 0 if there are none.
+// Faces that lie in one plane but for their last digits cross each other all over it, in lines that
+// the grid cannot tell apart, and leave gaps that no one means. Grown, the parts overlap.
+double grow_where_nearly_touching(Surface& surface, double way) {
+  const OnGrid placed = place(surface);
+  const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
+  std::vector<std::uint8_t> is_moved(surface.points.size(), 0);
+  bool is_any = false;
+  for (const auto& [t, u] : find_pairs(surface, placed, boxes)) {
+    const Corners& a = surface.triangles[t];
+    const Corners& b = surface.triangles[u];
+    if (!nearly_touches(placed, a, b) && !nearly_touches(placed, b, a)) continue;
+    for (const std::uint32_t v : a) is_moved[v] = 1;
+    for (const std::uint32_t v : b) is_moved[v] = 1;
+    is_any = true;
+  }
+  if (!is_any) return 0;
+  const std::vector<std::uint32_t> part_of = find_joints(surface).part_of;
+  std::vector<Vec3> outwards(surface.points.size(), Vec3{0.0});
+  std::vector<std::uint32_t> part_at(surface.points.size(), 0);
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vec3 normal = glm::normalize(glm::cross(placed.points[b] - placed.points[a],
+                                                  placed.points[c] - placed.points[a]));
+    for (const std::uint32_t v : surface.triangles[t]) {
+      outwards[v] += normal;
+      part_at[v] = part_of[t];
+    }
+  }
+  double farthest = 0;
+  for (std::uint32_t v = 0; v < surface.points.size(); ++v) {
+    const double length = glm::length(outwards[v]);
+    if (is_moved[v] == 0 || !(length > 0x1p-20)) continue;
+    const double multiple = 0.618033988749895 * part_at[v];
+    const double here = way * (1 + multiple - std::floor(multiple));
+    surface.points[v] =
+        placed.universe.to_model(placed.points[v] + outwards[v] * (here / length));
+    farthest = std::max(farthest, here);
+  }
+  return farthest * placed.universe.scale();
+}
+
 // The lines of the report.
 class Account {
  public:
@@ -354,9 +453,10 @@ ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface) {
     placed = place(surface);
     boxes = box_tree_of(placed.points, surface.triangles);
     pairs = find_pairs(surface, placed, boxes);
+    if (std::getenv("DBG")) std::fprintf(stderr, "round %d: %zu triangles, %zu pairs\n", round, surface.triangles.size(), pairs.size());
     if (pairs.empty()) break;
     if (round == kMostRoundsOfCutting) {
-      throw NotResolved(counted(pairs.size(), "pair") + " of triangles still meet after cutting " +
+      throw NotSettled(counted(pairs.size(), "pair") + " of triangles still meet after cutting " +
                         std::to_string(round) + " times");
     }
     const Cut again = cut(surface, placed, pairs, boxes);
@@ -373,7 +473,22 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
   std::optional<Surface> surface = triangles_of(soup);
   if (!surface) return {};
   try {
-    return resolve(soup, std::move(*surface));
+    double moved = 0;
+    for (double way = kLeastGrowth;; way *= 8) {
+      Surface grown = *surface;
+      moved = grow_where_nearly_touching(grown, way);
+      try {
+        ResolvedOverlaps resolved = resolve(soup, std::move(grown));
+        if (moved > 0) {
+          resolved.changes.push_back(
+              "moved: corners of triangles that touched but for rounding, outwards, by at most " +
+              to_short(moved));
+        }
+        return resolved;
+      } catch (const NotSettled&) {
+        if (moved == 0 || way > kMostGrowth) throw;
+      }
+    }
   } catch (const NotResolved& error) {
     return {{}, error.what()};
   } catch (const TooEntangled& error) {

@@ -15,7 +15,7 @@ inline constexpr std::size_t kMostMeetingPairs = 200'000;
 
 /// Cutting triangles rounds the new corners to the grid, where pieces as thin as the grid may meet
 /// again: then they are cut again. So often at most.
-inline constexpr int kMostRoundsOfCutting = 16;
+inline constexpr int kMostRoundsOfCutting = 8;
 
 struct ResolvedOverlaps {
   /// A line for each kind of change, with its count and the first places. Empty: nothing was done.
