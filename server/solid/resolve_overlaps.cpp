@@ -123,7 +123,8 @@ OnGrid place(Surface& surface) {
     const auto at = [&](std::size_t i) { return to_grid_integers(placed.points[c[i]]); };
     if (area_vector(at(0), at(1), at(2)) == AreaVector{0, 0, 0}) continue;
     if (is_on_one_line(surface, c)) {
-      for (const std::uint32_t v : c) surface.points[v] = placed.universe.to_model(placed.points[v]);
+      for (const std::uint32_t v : c)
+        surface.points[v] = placed.universe.to_model(placed.points[v]);
     }
     surface.triangles[end] = c;
     surface.source[end++] = surface.source[t];
@@ -140,6 +141,8 @@ struct Joints {
   bool has_border = false;        // an edge that is run along more often one way than the other
   std::vector<std::uint32_t> part_of;  // triangles that hang together by edges
   std::size_t parts = 0;
+
+  bool meets_itself() const { return crowded_edges > 0 || split_corners > 0; }
 };
 
 Joints find_joints(const Surface& surface) {
@@ -301,8 +304,8 @@ bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b) {
     return Kernel::Point_3(p.x, p.y, p.z);
   };
   const Vec3 origin = placed.points[b[0]];
-  const Vec3 normal = glm::normalize(
-      glm::cross(placed.points[b[1]] - origin, placed.points[b[2]] - origin));
+  const Vec3 normal =
+      glm::normalize(glm::cross(placed.points[b[1]] - origin, placed.points[b[2]] - origin));
   return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) {
     if (v == b[0] || v == b[1] || v == b[2]) return false;
     if (!(std::abs(glm::dot(normal, placed.points[v] - origin)) < kAsGoodAsOn)) return false;
@@ -333,8 +336,8 @@ double grow_where_nearly_touching(Surface& surface, double way) {
   std::vector<std::uint32_t> part_at(surface.points.size(), 0);
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     const auto& [a, b, c] = surface.triangles[t];
-    const Vec3 normal = glm::normalize(glm::cross(placed.points[b] - placed.points[a],
-                                                  placed.points[c] - placed.points[a]));
+    const Vec3 normal = glm::normalize(
+        glm::cross(placed.points[b] - placed.points[a], placed.points[c] - placed.points[a]));
     for (const std::uint32_t v : surface.triangles[t]) {
       outwards[v] += normal;
       part_at[v] = part_of[t];
@@ -346,8 +349,7 @@ double grow_where_nearly_touching(Surface& surface, double way) {
     if (is_moved[v] == 0 || !(length > 0x1p-20)) continue;
     const double multiple = 0.618033988749895 * part_at[v];
     const double here = way * (1 + multiple - std::floor(multiple));
-    surface.points[v] =
-        placed.universe.to_model(placed.points[v] + outwards[v] * (here / length));
+    surface.points[v] = placed.universe.to_model(placed.points[v] + outwards[v] * (here / length));
     farthest = std::max(farthest, here);
   }
   return farthest * placed.universe.scale();
@@ -437,30 +439,35 @@ class Account {
   FirstFound<TrianglePair> within_;
 };
 
-ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface) {
+ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, bool has_moved) {
   OnGrid placed = place(surface);
   BoxTree boxes = box_tree_of(placed.points, surface.triangles);
   std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
-  const Joints joints = find_joints(surface);
-  if (pairs.empty() &&
-      (joints.has_border || (joints.crowded_edges == 0 && joints.split_corners == 0))) {
-    return {};
-  }
+  Joints joints = find_joints(surface);
+  const bool meets_itself = !pairs.empty() || joints.meets_itself() || has_moved;
+  if (pairs.empty() && joints.has_border) return {};
+  if (!meets_itself && joints.parts == 1) return {};
   const Account account(surface, joints, pairs);
+  const std::size_t before = surface.triangles.size();
   const Cut first = cut(surface, placed, pairs, boxes);
   if (first.has_border) return {};  // said by others
+  // Parts that lie apart and face the wrong way are turned by import_solid.
+  const bool is_mixed = first.is_inside_out || first.negative_parts > 0;
+  if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
   for (int round = 1; !surface.triangles.empty(); ++round) {
     placed = place(surface);
     boxes = box_tree_of(placed.points, surface.triangles);
     pairs = find_pairs(surface, placed, boxes);
-    if (std::getenv("DBG")) std::fprintf(stderr, "round %d: %zu triangles, %zu pairs\n", round, surface.triangles.size(), pairs.size());
-    if (pairs.empty()) break;
+    // Around an edge, rounding may have changed the order of what touches there.
+    if (pairs.empty() && find_joints(surface).crowded_edges == 0) break;
     if (round == kMostRoundsOfCutting) {
       throw NotSettled(counted(pairs.size(), "pair") + " of triangles still meet after cutting " +
-                        std::to_string(round) + " times");
+                       std::to_string(round) + " times");
     }
+    const std::size_t triangles = surface.triangles.size();
     const Cut again = cut(surface, placed, pairs, boxes);
     if (again.has_border) throw std::logic_error("rounding has opened a closed surface");
+    if (pairs.empty() && surface.triangles.size() == triangles) break;
   }
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   soup = soup_of(surface, soup.collapsed);
@@ -478,7 +485,7 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
       Surface grown = *surface;
       moved = grow_where_nearly_touching(grown, way);
       try {
-        ResolvedOverlaps resolved = resolve(soup, std::move(grown));
+        ResolvedOverlaps resolved = resolve(soup, std::move(grown), moved > 0);
         if (moved > 0) {
           resolved.changes.push_back(
               "moved: corners of triangles that touched but for rounding, outwards, by at most " +
