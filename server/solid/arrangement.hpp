@@ -15,7 +15,7 @@
 namespace spoctree {
 
 /// More points than this are not constructed: they take seconds and some hundred megabytes.
-inline constexpr std::size_t kMostConstructedPoints = 400'000;
+inline constexpr std::size_t kMostConstructedPoints = 200'000;
 
 /// What an arrangement would cost more than a file may.
 struct TooEntangled : std::runtime_error {

@@ -39,11 +39,12 @@ struct Repair {
 ///   side gets their middle corner: no point of the surface is lost or moved;
 /// - faces are turned so that neighbours agree, in each connected surface the fewer;
 /// - holes are filled with triangles over their own edges (CGAL's triangulate_hole_polyline: the
-///   flattest patch): no points are made up. Holes that touch in a point are taken one by one.
+///   flattest patch): no points are made up. Holes that touch in a point are taken one by one;
+/// - closed surfaces that touch, overlap or pass through themselves become the surface of what they
+///   wind around at least once (resolve_overlaps.hpp).
 ///
-/// Points are never moved, and never merged unless equal (the reader does that). Whether the result
-/// bounds a solid is not promised: import_solid judges it like any other. Edges with more than two
-/// faces and self-intersections stay what they are.
+/// Points are not moved but by resolve_overlaps, and not merged unless equal (the reader does that).
+/// Whether the result bounds a solid is not promised: import_solid judges it like any other.
 ///
 /// n log n for n face corners, and quadratic in kMostHoleEdges. Throws nothing but what memory
 /// does. REQUIRES: soup as from read_mesh.
