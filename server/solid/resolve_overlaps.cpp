@@ -277,9 +277,11 @@ std::vector<TrianglePair> find_pairs(const Surface& surface, const OnGrid& place
   return std::move(meeting.pairs);
 }
 
-PolygonSoup soup_of(const Surface& surface, const CollapsedFaces& collapsed) {
-  PolygonSoup soup;
-  soup.collapsed = collapsed;
+// What else is known of the file stays.
+void put_into(PolygonSoup& soup, const Surface& surface) {
+  soup.points.clear();
+  soup.corners.clear();
+  soup.first_corner.assign(1, 0);
   std::vector<std::uint32_t> becomes(surface.points.size(), kNone);
   for (const Corners& t : surface.triangles) {
     for (const std::uint32_t v : t) becomes[v] = 0;
@@ -293,7 +295,6 @@ PolygonSoup soup_of(const Surface& surface, const CollapsedFaces& collapsed) {
     for (const std::uint32_t v : t) soup.corners.push_back(becomes[v]);
     soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   }
-  return soup;
 }
 
 // Whether a corner of `a` misses the plane of `b` by less than kAsGoodAsOn, but does miss it.
@@ -470,7 +471,7 @@ ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, bool has_moved) {
     if (pairs.empty() && surface.triangles.size() == triangles) break;
   }
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
-  soup = soup_of(surface, soup.collapsed);
+  put_into(soup, surface);
   return {account.tell(surface, first), ""};
 }
 
