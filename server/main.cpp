@@ -35,7 +35,7 @@ void add_model_options(CLI::App& command, ModelOptions& options) {
   command.add_flag(
       "--repair", options.repair,
       "drop copies of faces and triangles without area, turn faces that disagree, fill "
-      "holes; every change is said");
+      "holes, make one solid of parts that touch or overlap; every change is said");
 }
 
 }  // namespace

@@ -77,6 +77,7 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
   ImportOptions import_options;
   import_options.flat_tolerance = options.flat_tolerance;
   import_options.turn_shells = options.repair;
+  import_options.may_touch_itself = options.repair;
   import_options.progress = report_of(kJudging, progress);
   import_options.progress(0);
   std::string refusals;

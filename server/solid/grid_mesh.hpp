@@ -37,6 +37,16 @@ struct GridMesh {
   double box_diagonal = 0;     ///< of `vertices`, in universe units
   std::vector<Corners> triangles;
 
+  /// Where the solid touches itself (touching.hpp): vertices behind those of `points` are copies of
+  /// these points, and `touching` vertices must stay where they are.
+  std::vector<std::uint32_t> copy_of;
+  std::vector<std::uint32_t> touching;
+
+  std::uint32_t point_of(std::uint32_t vertex) const {
+    const std::size_t own = vertices.size() - copy_of.size();
+    return vertex < own ? vertex : copy_of[vertex - own];
+  }
+
   /// "(x, y, z)", "(x, y, z)–(x, y, z)" and so on: the points in the file's coordinates.
   std::string place(std::span<const std::uint32_t> corners) const {
     return place_text(points, corners);

@@ -1,5 +1,6 @@
 #include "server/solid/import_solid.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -13,31 +14,82 @@
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_on_grid.hpp"
 #include "server/solid/shells.hpp"
+#include "server/solid/touching.hpp"
 #include "server/solid/triangulate.hpp"
 
 namespace spoctree {
 
 namespace {
 
-void reject_self_intersections(const GridMesh& mesh, const BoxTree& boxes) {
-  const auto [pairs, are_all] = find_self_intersections(mesh.vertices, mesh.triangles, boxes);
-  if (pairs.count() == 0) {
-    if (are_all) return;
-    mesh.fail("too entangled to be judged: the bounding boxes of more than " +
-              std::to_string(kMostComparisons) + " pairs of its " +
-              counted(mesh.triangles.size(), "triangle") + " overlap");
+// The connected surface that each triangle is in, numbered from 1 in the order of the file.
+std::vector<std::uint32_t> number_parts(const std::vector<Corners>& neighbours,
+                                        std::uint32_t& parts) {
+  std::vector<std::uint32_t> part_of(neighbours.size(), 0);
+  std::vector<std::uint32_t> reached;
+  for (std::uint32_t first = 0; first < neighbours.size(); ++first) {
+    if (part_of[first] != 0) continue;
+    part_of[first] = ++parts;
+    reached.assign(1, first);
+    while (!reached.empty()) {
+      const Corners around = neighbours[reached.back()];
+      reached.pop_back();
+      for (const std::uint32_t n : around) {
+        if (part_of[n] != 0) continue;
+        part_of[n] = parts;
+        reached.push_back(n);
+      }
+    }
   }
+  return part_of;
+}
+
+[[noreturn]] void fail_for_meeting(const GridMesh& mesh, const std::vector<Corners>& neighbours,
+                                   const MeetingTriangles& meeting, bool is_repaired) {
   // The coordinates of the file may be finer than the grid; then say whose fault it is.
   const auto as_filed = find_self_intersections(mesh.points, mesh.triangles,
                                                 box_tree_of(mesh.points, mesh.triangles));
   const bool is_by_rounding = as_filed.pairs.count() == 0 && as_filed.are_all;
-  mesh.fail("self-intersecting: " + std::string(are_all ? "" : "at least ") +
-            counted(pairs.count(), "pair") + " of triangles meet" +
+  std::uint32_t parts = 0;
+  const std::vector<std::uint32_t> part_of = number_parts(neighbours, parts);
+  FirstFound<std::array<std::uint32_t, 2>> within;
+  FirstFound<std::array<std::uint32_t, 2>> between;
+  std::vector<bool> is_meeting(parts + 1, false);
+  for (auto [a, b] : meeting.pairs) {
+    if (a > b) std::swap(a, b);
+    const bool is_one = part_of[a] == part_of[b];
+    (is_one ? within : between).add({a, b});
+    if (!is_one) is_meeting[part_of[a]] = is_meeting[part_of[b]] = true;
+  }
+  std::string text;
+  const auto describe = [&](const FirstFound<std::array<std::uint32_t, 2>>& pairs,
+                            const std::string& fault, const std::string& whose, bool name_parts) {
+    if (pairs.count() == 0) return;
+    const auto place = [&](std::uint32_t t) {
+      return mesh.place(mesh.triangles[t]) +
+             (name_parts ? " (part " + std::to_string(part_of[t]) + ")" : "");
+    };
+    text += (text.empty() ? "" : "; ") + fault + ": " + (meeting.are_all ? "" : "at least ") +
+            counted(pairs.count(), "pair") + " of triangles meet" + whose +
             (is_by_rounding ? " once points are rounded to 2^-52 of the extent" : "") + ", " +
             pairs.places([&](const std::array<std::uint32_t, 2>& pair) {
-              return mesh.place(mesh.triangles[pair[0]]) + " with " +
-                     mesh.place(mesh.triangles[pair[1]]);
-            }));
+              return place(pair[0]) + " with " + place(pair[1]);
+            });
+  };
+  const auto count = std::count(is_meeting.begin(), is_meeting.end(), true);
+  describe(between, "closed parts touch or overlap",
+           ", of " + std::to_string(count) + " of " + std::to_string(parts) + " parts", true);
+  describe(within, "self-intersecting", "", false);
+  mesh.fail(text + (is_repaired ? "" : " (--repair makes a solid of what is within)"));
+}
+
+void reject_self_intersections(const GridMesh& mesh, const std::vector<Corners>& neighbours,
+                               const BoxTree& boxes, bool is_repaired) {
+  const MeetingTriangles meeting = find_meeting_triangles(mesh.vertices, mesh.triangles, boxes);
+  if (!meeting.pairs.empty()) fail_for_meeting(mesh, neighbours, meeting, is_repaired);
+  if (meeting.are_all) return;
+  mesh.fail("too entangled to be judged: the bounding boxes of more than " +
+            std::to_string(kMostComparisons) + " pairs of its " +
+            counted(mesh.triangles.size(), "triangle") + " overlap");
 }
 
 // Reverses the triangles of the shells that `starts` are in. Their edges 0 and 2 change places.
@@ -123,13 +175,15 @@ Solid make_solid(PlanarSurface surface, SolidReport report) {
   solid.volume = surface.shells.volume * scale * scale * scale;
   solid.report.planes_before_merging = surface.planes_before_merging;
   solid.report.largest_move = surface.largest_move * scale;
-  solid.triangles.reserve(surface.mesh.triangles.size());
-  for (std::size_t i = 0; i < surface.mesh.triangles.size(); ++i) {
-    const Corners& t = surface.mesh.triangles[i];
+  const std::vector<Corners> triangles = without_copies(surface.mesh, surface.mesh.triangles);
+  solid.triangles.reserve(triangles.size());
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Corners& t = triangles[i];
     const Corners& n = surface.neighbours[i];
     solid.triangles.push_back({{t[0], t[1], t[2]}, {n[0], n[1], n[2]}, 0});
   }
   solid.vertices = std::move(surface.mesh.vertices);
+  solid.vertices.resize(solid.vertices.size() - surface.mesh.copy_of.size());
   group_into_facets(solid, surface.planes);
   return solid;
 }
@@ -150,12 +204,12 @@ Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions&
   // Corners of rounded faces may move farther than the universe cube has room by itself.
   GridMesh mesh = place_on_grid(soup.points, name, report.flat_tolerance.rounded_spread);
   triangulate(soup, mesh, report);
-  std::vector<Corners> neighbours = find_neighbours(mesh);
+  std::vector<Corners> neighbours = find_neighbours(mesh, options.may_touch_itself);
   report_progress(0.25);
 
   const BoxTree boxes = box_tree_of(mesh.vertices, mesh.triangles);
   report_progress(0.4);
-  reject_self_intersections(mesh, boxes);
+  reject_self_intersections(mesh, neighbours, boxes, options.may_touch_itself);
   report_progress(0.6);
   ShellJudgement shells = judge_nesting(mesh, neighbours, boxes, options.turn_shells, report);
   report.was_turned = shells.is_inside_out();
@@ -163,6 +217,7 @@ Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions&
 
   report_progress(0.7);
 
+  if (options.may_touch_itself) separate_fans(mesh, neighbours);
   const FlatTolerance tolerance = in_universe_units(report.flat_tolerance, mesh);
   return make_solid(merge_faces(std::move(mesh), std::move(neighbours), boxes, shells, tolerance),
                     std::move(report));

@@ -22,6 +22,9 @@ struct ImportOptions {
   /// Shells that face the wrong way for how they nest (an inside-out part, an outside-out cavity)
   /// are turned instead of refused (report.turned_shells).
   bool turn_shells = false;
+  /// The solid may touch itself in edges and points, as repair leaves it where closed parts do;
+  /// their vertices stay where they are, whatever the flat tolerance.
+  bool may_touch_itself = false;
   /// Told about how much of the work is done, between its steps.
   ProgressReport progress = {};
 };

@@ -13,6 +13,7 @@
 #include "server/solid/planar_patch.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_corners.hpp"
+#include "server/solid/touching.hpp"
 
 namespace spoctree {
 
@@ -71,7 +72,9 @@ class Merger {
         tolerance_(tolerance),
         gain_(surface, std::move(in_planes)),
         is_given_back_(surface.triangles.size(), 0),
-        settler_(make_settler(surface, std::move(flat), tolerance.most_move())) {}
+        settler_(make_settler(surface, std::move(flat), tolerance.most_move())) {
+    for (const std::uint32_t v : mesh.touching) settler_.pin(v);
+  }
 
   /// Nothing if it does not work out.
   std::optional<PlanarSurface> merge();
@@ -193,16 +196,18 @@ void Merger::find_wrong(Attempt& attempt) {
 // All changes are compared with everything once. Later attempts differ little from the first that
 // got so far, and what they have in common with it need not be compared again.
 std::vector<std::array<std::uint32_t, 2>> Merger::find_intersections(const Attempt& attempt) {
+  // To those that look for meetings, what touches in a point shares it.
+  const std::vector<Corners> triangles = without_copies(mesh_, attempt.surface.triangles);
   std::vector<std::uint8_t> is_outdated(surface_.triangles.size(), 0);
   for (const std::uint32_t t : attempt.changed) is_outdated[t] = 1;
   if (!judged_) {
     judged_ = {attempt.vertices,
                attempt.surface.triangles,
-               boxes_of(attempt.vertices, attempt.surface.triangles, attempt.changed),
+               boxes_of(attempt.vertices, triangles, attempt.changed),
                {}};
     const JudgedBoxes unmoved{&boxes_, {}, is_outdated};
-    auto found = find_new_self_intersections(attempt.vertices, attempt.surface.triangles,
-                                             judged_->changed, {&unmoved, 1});
+    auto found =
+        find_new_self_intersections(attempt.vertices, triangles, judged_->changed, {&unmoved, 1});
     // Of very many, some may not have been told.
     if (found.size() < kAllPairsAreFoundBelow) {
       judged_->wrong = found;
@@ -229,8 +234,8 @@ std::vector<std::array<std::uint32_t, 2>> Merger::find_intersections(const Attem
       {&boxes_, {}, is_outdated},
       {&judged_->changed.boxes, judged_->changed.triangles, is_changed_again}};
   auto found = find_new_self_intersections(
-      attempt.vertices, attempt.surface.triangles,
-      boxes_of(attempt.vertices, attempt.surface.triangles, std::move(changed)), judged);
+      attempt.vertices, triangles, boxes_of(attempt.vertices, triangles, std::move(changed)),
+      judged);
   std::copy_if(judged_->wrong.begin(), judged_->wrong.end(), std::back_inserter(found),
                [&](const std::array<std::uint32_t, 2>& pair) {
                  return is_changed_again[pair[0]] == 0 && is_changed_again[pair[1]] == 0;

@@ -4,11 +4,11 @@
 #include <limits>
 
 #include "server/solid/first_found.hpp"
+#include "server/solid/touching.hpp"
 
 namespace spoctree {
 
 namespace {
-
 
 // Half-edge 3 t + i runs from corner i of triangle t to the next. It is filed under its smaller
 // vertex; `other` is the larger one.
@@ -92,27 +92,38 @@ void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& nei
 
 }  // namespace
 
-std::vector<Corners> find_neighbours(const GridMesh& mesh) {
+std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself) {
   std::vector<std::uint32_t> begin;
   const std::vector<FiledHalfEdge> filed = file_half_edges(mesh, begin);
   std::vector<Corners> neighbours(mesh.triangles.size());
   EdgeFault crowded;
   EdgeFault border;
   EdgeFault misoriented;
+  const auto join = [&](std::uint32_t h, std::uint32_t g) {
+    neighbours[h / 3][h % 3] = g / 3;
+    neighbours[g / 3][g % 3] = h / 3;
+  };
+  const auto join_wedges = [&](std::uint32_t first, std::uint32_t end) {
+    std::vector<std::uint32_t> half_edges;
+    for (std::uint32_t i = first; i < end; ++i) half_edges.push_back(filed[i].half_edge);
+    const auto wedges = pair_around_edge(mesh, half_edges);
+    if (!wedges) return false;
+    for (const auto& [h, g] : *wedges) join(h, g);
+    return true;
+  };
   for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
     for (std::uint32_t i = begin[v]; i < begin[v + 1];) {
       std::uint32_t end = i + 1;
       while (end < begin[v + 1] && filed[end].other == filed[i].other) ++end;
       const std::uint32_t h = filed[i].half_edge;
       if (end - i > 2) {
-        crowded.add(h);
+        if (!may_touch_itself || !join_wedges(i, end)) crowded.add(h);
       } else if (end - i == 1) {
         border.add(h);
       } else {
         const std::uint32_t g = filed[i + 1].half_edge;
         if (start_of(mesh, g) == start_of(mesh, h)) misoriented.add(h);
-        neighbours[h / 3][h % 3] = g / 3;
-        neighbours[g / 3][g % 3] = h / 3;
+        join(h, g);
       }
       i = end;
     }
@@ -123,7 +134,7 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh) {
   describe(misoriented, mesh, "not consistently oriented", "edge", " whose two faces disagree",
            faults);
   if (!faults.empty()) mesh.fail(faults);
-  reject_split_vertices(mesh, neighbours);
+  if (!may_touch_itself) reject_split_vertices(mesh, neighbours);
   return neighbours;
 }
 

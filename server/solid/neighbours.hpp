@@ -11,7 +11,8 @@ namespace spoctree {
 /// Throws BadInput for edges with more than two triangles, edges with one, and edges that both
 /// triangles run along in the same direction; if there are none of these, for vertices whose
 /// triangles form more than one fan. The text counts them and names the first in the order of the
-/// file.
-std::vector<Corners> find_neighbours(const GridMesh& mesh);
+/// file. If the solid `may_touch_itself`, edges along which wedges of material touch and vertices
+/// with several fans are not refused: neighbours bound the same wedge.
+std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself = false);
 
 }  // namespace spoctree

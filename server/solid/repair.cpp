@@ -14,6 +14,7 @@
 #include "server/solid/repair_holes.hpp"
 #include "server/solid/repair_needles.hpp"
 #include "server/solid/repair_orientation.hpp"
+#include "server/solid/resolve_overlaps.hpp"
 #include "server/solid/settle_on_grid.hpp"
 
 namespace spoctree {
@@ -34,6 +35,17 @@ bool is_closed_and_oriented(const PolygonSoup& soup) {
     is_so = is_so && edge.size() == 2 && runs_up(soup, edge[0]) != runs_up(soup, edge[1]);
   });
   return is_so;
+}
+
+// Whether every edge is run along as often in one direction as in the other.
+bool is_closed(const PolygonSoup& soup) {
+  bool is_balanced = true;
+  for_each_edge(sides_by_edge(soup), [&](std::span<const SoupSide> edge) {
+    const auto up = std::count_if(edge.begin(), edge.end(),
+                                  [&](const SoupSide& side) { return runs_up(soup, side); });
+    is_balanced = is_balanced && 2 * up == std::ssize(edge);
+  });
+  return is_balanced;
 }
 
 class Repairer {
@@ -65,6 +77,7 @@ class Repairer {
     if (debris.faces == 0) {
       refuse(holes.of_scraps, "around a surface that is hardly more than its border");
     }
+    unite();
     if (!repair_.changes.empty()) {
       remove_unused_points();
       settle();  // what is left may have another grid
@@ -82,7 +95,14 @@ class Repairer {
   }
 
   void drop_duplicates() {
+    PolygonSoup before = soup();
     const DroppedDuplicates dropped = drop_duplicate_faces(soup());
+    if (dropped.copies.count() + dropped.partitions.count() == 0) return;
+    // Where parts overlap, faces of both may be equal: each part needs its own.
+    if (is_closed(before) && !is_closed(soup())) {
+      soup() = std::move(before);
+      return;
+    }
     log("dropped", dropped.copies, "copy", " of a face", "copies");
     log("dropped", dropped.partitions, "face", " between two parts of the solid");
   }
@@ -158,6 +178,12 @@ class Repairer {
     refuse(holes.too_large,
            "neither flat nor within " + to_percent(kLargestHole) + " of the diagonal in size");
     refuse(holes.unfillable, "that no patch of new edges closes");
+  }
+
+  void unite() {
+    ResolvedOverlaps resolved = resolve_overlaps(soup());
+    for (std::string& change : resolved.changes) repair_.changes.push_back(std::move(change));
+    if (!resolved.refusal.empty()) repair_.refusals.push_back(std::move(resolved.refusal));
   }
 
   std::function<std::string(const Hole&)> hole_place() const {

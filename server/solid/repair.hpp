@@ -49,10 +49,11 @@ struct Repair {
 /// - faces are turned so that neighbours agree, in each connected surface the fewer;
 /// - holes are filled with triangles over their own edges (CGAL's triangulate_hole_polyline: the
 ///   flattest patch): no points are made up. Holes that touch in a point are taken one by one;
-/// - surfaces that are still open, and bound nothing, go (drop_debris).
+/// - surfaces that are still open, and bound nothing, go (drop_debris);
+/// - closed surfaces that touch, overlap or pass through themselves become the surface of what they
+///   wind around at least once (resolve_overlaps.hpp).
 ///
-/// Whether the result bounds a solid is not promised: import_solid judges it like any other. Closed
-/// surfaces that meet themselves or each other stay what they are.
+/// Whether the result bounds a solid is not promised: import_solid judges it like any other.
 ///
 /// n log n for n face corners, and quadratic in kMostHoleEdges. Throws nothing but what memory
 /// does. REQUIRES: soup as from read_mesh, with its precision.

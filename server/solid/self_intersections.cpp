@@ -264,6 +264,14 @@ SelfIntersections find_self_intersections(std::span<const Vec3> points,
   return found;
 }
 
+MeetingTriangles find_meeting_triangles(std::span<const Vec3> points,
+                                        std::span<const Corners> triangles, const BoxTree& boxes) {
+  std::size_t comparisons = kMostComparisons + kMostComparisonsPerTriangle * triangles.size();
+  MeetingTriangles meeting{find_wrong_pairs(points, triangles, boxes, comparisons), true};
+  meeting.are_all = comparisons > 0 && meeting.pairs.size() < kMostSelfIntersections;
+  return meeting;
+}
+
 std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> points,
                                                       std::span<const Corners> triangles,
                                                       const SomeBoxes& changed,

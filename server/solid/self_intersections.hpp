@@ -33,6 +33,15 @@ struct SelfIntersections {
 SelfIntersections find_self_intersections(std::span<const Vec3> points,
                                           std::span<const Corners> triangles, const BoxTree& boxes);
 
+/// The same pairs, all of them (or very many: are_all is false), each once, in no order that means
+/// anything.
+struct MeetingTriangles {
+  std::vector<std::array<std::uint32_t, 2>> pairs;
+  bool are_all = true;
+};
+MeetingTriangles find_meeting_triangles(std::span<const Vec3> points,
+                                        std::span<const Corners> triangles, const BoxTree& boxes);
+
 /// Some of a surface's triangles; box i is that of triangle triangles[i].
 struct SomeBoxes {
   std::vector<std::uint32_t> triangles;

@@ -1,6 +1,8 @@
 #include "server/solid/shells.hpp"
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 
 #include "server/solid/grid_integers.hpp"
@@ -26,6 +28,41 @@ struct Shell {
   std::uint32_t first_triangle = 0;
   Wide volume = 0;
 };
+
+// For each shell a point that is on no other: they may touch in edges and points.
+std::vector<Vec3> find_points_apart(const GridMesh& mesh,
+                                    const std::vector<std::uint32_t>& shell_of,
+                                    std::size_t shells) {
+  constexpr std::uint32_t kSeveral = kNone - 1;
+  std::vector<std::uint32_t> shell_at(mesh.vertices.size(), kNone);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (const std::uint32_t v : mesh.triangles[t]) {
+      std::uint32_t& at = shell_at[mesh.point_of(v)];
+      at = at == kNone || at == shell_of[t] ? shell_of[t] : kSeveral;
+    }
+  }
+  std::vector<Vec3> points(shells);
+  std::vector<double> rank(shells, -1);
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    double& best = rank[shell_of[t]];
+    if (std::isinf(best)) continue;
+    Vec3& point = points[shell_of[t]];
+    const auto& [a, b, c] = mesh.triangles[t];
+    for (const std::uint32_t v : {a, b, c}) {
+      if (shell_at[mesh.point_of(v)] == kSeveral) continue;
+      point = mesh.vertices[v];
+      best = std::numeric_limits<double>::infinity();
+      break;
+    }
+    // All corners may be shared: then the middle of the largest triangle, which nothing touches.
+    const Vec3 area =
+        glm::cross(mesh.vertices[b] - mesh.vertices[a], mesh.vertices[c] - mesh.vertices[a]);
+    if (std::isinf(best) || glm::dot(area, area) <= best) continue;
+    best = glm::dot(area, area);
+    point = (mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c]) / 3.0;
+  }
+  return points;
+}
 
 std::vector<Shell> find_shells(const GridMesh& mesh, const std::vector<Corners>& neighbours,
                                std::vector<std::uint32_t>& shell_of) {
@@ -53,12 +90,9 @@ std::vector<Shell> find_shells(const GridMesh& mesh, const std::vector<Corners>&
   return shells;
 }
 
-// Whether the shell lies within an odd number of others. Shells do not touch, so any of its points
-// can be asked.
+// Whether the shell lies within an odd number of others, as this point of it does.
 bool is_cavity(const GridMesh& mesh, const BoxTree& boxes,
-               const std::vector<std::uint32_t>& shell_of, std::uint32_t first_triangle) {
-  const std::uint32_t self = shell_of[first_triangle];
-  const Vec3 start = mesh.vertices[mesh.triangles[first_triangle][0]];
+               const std::vector<std::uint32_t>& shell_of, std::uint32_t self, Vec3 start) {
   const UpwardRay ray(start);
   bool is_inside = false;
   boxes.visit_boxes_above(start, [&](std::uint32_t t) {
@@ -81,10 +115,12 @@ ShellJudgement judge_shells(const GridMesh& mesh, const std::vector<Corners>& ne
   ShellJudgement judgement;
   judgement.shells = shells.size();
   Wide volume = 0;
-  for (const Shell& shell : shells) {
+  const std::vector<Vec3> points =
+      shells.size() > 1 ? find_points_apart(mesh, shell_of, shells.size()) : std::vector<Vec3>{};
+  for (std::uint32_t s = 0; s < shells.size(); ++s) {
+    const Shell& shell = shells[s];
     volume += shell.volume;
-    const bool bounds_cavity =
-        shells.size() > 1 && is_cavity(mesh, boxes, shell_of, shell.first_triangle);
+    const bool bounds_cavity = shells.size() > 1 && is_cavity(mesh, boxes, shell_of, s, points[s]);
     if ((shell.volume < 0) == bounds_cavity) continue;
     judgement.wrong.push_back(shell.first_triangle);
   }

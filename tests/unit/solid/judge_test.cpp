@@ -181,17 +181,20 @@ TEST(JudgeSolid, CountsTheFacesThatASpikePierces) {
                                       {{1, 3, 2}, {0, 1, 2}, {0, 2, 3}, {0, 3, 1}});
   ASSERT_EQ(import_error(spike), "");
   EXPECT_EQ(import_error(together(tetrahedron(), spike)),
-            "it: self-intersecting: 3 pairs of triangles meet, at "
-            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(2, 1, -1)–(1, 2, -1), "
-            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(1, 2, -1)–(0.5, 0.5, -1) and "
-            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) with (1, 1, 1)–(0.5, 0.5, -1)–(2, 1, -1)");
+            "it: closed parts touch or overlap: 3 pairs of triangles meet, of 2 of 2 parts, at "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) (part 1) with (1, 1, 1)–(2, 1, -1)–(1, 2, -1) (part 2), "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) (part 1) with "
+            "(1, 1, 1)–(1, 2, -1)–(0.5, 0.5, -1) (part 2) and "
+            "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) (part 1) with "
+            "(1, 1, 1)–(0.5, 0.5, -1)–(2, 1, -1) (part 2) "
+            "(--repair makes a solid of what is within)");
 }
 
 TEST(JudgeSolid, RefusesBoxesThatOverlapOrTouch) {
   const PolygonSoup a = box(kZero, kOne);
   for (const glm::dvec3 by : {glm::dvec3{0.5, 0.25, 0.125}, glm::dvec3{0.5, 0, 0},
                               glm::dvec3{1, 0.25, 0.25}, glm::dvec3{1, 1, 0.5}}) {
-    EXPECT_NE(import_error(together(a, moved(a, by))).find("self-intersecting: "),
+    EXPECT_NE(import_error(together(a, moved(a, by))).find("closed parts touch or overlap: "),
               std::string::npos);
   }
   EXPECT_EQ(import_error(together(a, moved(a, {1 + 0x1p-40, 0.25, 0.25}))), "");

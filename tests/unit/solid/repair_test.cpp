@@ -258,18 +258,6 @@ TEST(Repair, DoesNotCloseAFaceWithItself) {
   }
 }
 
-TEST(Repair, LeavesEdgesOfManyFacesAndSelfIntersectionsToTheJudge) {
-  const PolygonSoup crossing = together(kBox, box({2, 2, 2}, {6, 6, 6}));
-  EXPECT_TRUE(repair(crossing).changes.empty());
-  EXPECT_NE(import_error(repair(crossing).soup).find("self-intersecting"), std::string::npos);
-  // Two boxes that share the edge x = y = 4.
-  PolygonSoup touching = together(kBox, box({4, 4, 0}, {8, 8, 4}));
-  merge_equal_points(touching);
-  EXPECT_TRUE(repair(touching).changes.empty());
-  EXPECT_NE(import_error(repair(touching).soup).find("1 edge with more than two faces"),
-            std::string::npos);
-}
-
 TEST(Repair, HandsOnThePointsOfNeedlesThatLieAgainstEachOther) {
   // 300 triangles without area, each against the one before.
   constexpr std::uint32_t kNeedles = 300;
@@ -312,6 +300,83 @@ TEST(JudgeSolid, RefusesMoreTrianglesThanCanBeCompared) {
   EXPECT_NE(
       import_error(make_soup(points, faces)).find("too entangled to be judged: the bounding "),
       std::string::npos);
+}
+
+/// The volume of what is left, which may touch itself.
+double united_volume(PolygonSoup soup) {
+  merge_equal_points(soup);
+  const Repair repaired = repair(soup);
+  EXPECT_TRUE(repaired.refusals.empty());
+  ImportOptions options;
+  options.turn_shells = true;
+  options.may_touch_itself = true;
+  return import_solid(repaired.soup, "it", options).volume;
+}
+
+TEST(Unite, MakesOneSolidOfPartsThatOverlap) {
+  const PolygonSoup soup = together(kBox, box({2, 2, 2}, {6, 6, 6}));
+  EXPECT_NE(import_error(soup).find("closed parts touch or overlap: "), std::string::npos);
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 64 + 64 - 8);
+  const Repair repaired = repair(soup);
+  ASSERT_EQ(repaired.changes.size(), 2u);
+  EXPECT_EQ(repaired.changes[0].find("united: 2 of 2 closed parts, which touched or overlapped"),
+            0u);
+  EXPECT_EQ(import_it(repaired.soup).planes.size(), 12u);
+}
+
+TEST(Unite, MakesOneSolidOfABossOnAPlate) {
+  const PolygonSoup soup = together(box({0, 0, 0}, {10, 10, 2}), box({3, 3, 2}, {6, 6, 5}));
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 227);
+  EXPECT_EQ(import_it(repair(soup).soup).planes.size(), 11u);
+}
+
+TEST(Unite, LetsAPartWithinAnotherVanish) {
+  const PolygonSoup soup = together(kBox, box({1, 1, 1}, {3, 3, 3}));
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 64);
+  EXPECT_EQ(repair(soup).soup.face_count(), 12u);
+}
+
+TEST(Unite, KeepsACavityBesideAnOverlap) {
+  const PolygonSoup soup =
+      together(together(kBox, reversed(box({1, 1, 1}, {2, 2, 2}))), box({3, 3, 3}, {6, 6, 6}));
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 64 - 1 + 27 - 1);
+}
+
+TEST(Unite, TakesAwayWhatFacesInwardsAndOverlaps) {
+  const PolygonSoup soup = together(kBox, reversed(box({2, 2, 2}, {6, 6, 6})));
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 64 - 8);
+}
+
+TEST(Unite, TurnsWhatFacesInwardsEverywhere) {
+  const PolygonSoup soup = reversed(together(kBox, box({2, 2, 2}, {6, 6, 6})));
+  EXPECT_DOUBLE_EQ(repaired_volume(soup), 64 + 64 - 8);
+  EXPECT_EQ(repair(soup).changes.back(), "turned: all faces pointed inwards");
+}
+
+TEST(Unite, KeepsBothPartsThatShareAFaceAndOverlap) {
+  EXPECT_DOUBLE_EQ(united_volume(together(kBox, box({0, 0, 0}, {4, 4, 7}))), 112);
+}
+
+TEST(Unite, LetsPartsTouchInAnEdgeOrAPoint) {
+  EXPECT_DOUBLE_EQ(united_volume(together(kBox, box({4, 4, 0}, {6, 6, 4}))), 64 + 16);
+  EXPECT_DOUBLE_EQ(united_volume(together(kBox, box({4, 4, 1}, {6, 6, 2}))), 64 + 4);
+  EXPECT_DOUBLE_EQ(united_volume(together(kBox, box({4, 4, 4}, {5, 5, 5}))), 65);
+  const PolygonSoup along_an_edge = together(kBox, box({4, 4, 1}, {6, 6, 2}));
+  EXPECT_NE(import_error(repair(along_an_edge).soup).find("1 edge with more than two faces"),
+            std::string::npos);
+}
+
+TEST(Unite, RefusesTheManyPairsOfHostileFiles) {
+  PolygonSoup soup = box({0, 0, 0}, {1, 400, 1});
+  for (int i = 0; i < 70; ++i) {
+    soup = together(soup, box({2.0 * i + 2, 0, 0}, {2.0 * i + 3, 400, 1}));
+    soup = together(soup, box({0, 2.0 * i, 0.25}, {400, 2.0 * i + 1, 0.75}));
+  }
+  const Repair repaired = repair(soup);
+  ASSERT_EQ(repaired.refusals.size(), 1u);
+  EXPECT_NE(repaired.refusals[0].find("pairs of triangles meet, too many to resolve"),
+            std::string::npos);
+  EXPECT_EQ(repaired.soup.face_count(), soup.face_count());
 }
 
 TEST(TurnShells, TurnsWhatNestsWrongly) {

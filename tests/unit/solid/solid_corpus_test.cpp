@@ -116,7 +116,7 @@ TEST_F(SolidCorpus, BrokenMeshesAreRefusedForWhatTheirNamesSay) {
       {"nonmanifold-edge", "with more than two faces"},
       {"nonmanifold-vertex", "more than one fan"},
       {"orientation_", "not consistently oriented: "},
-      {"selfint_", "self-intersecting: "},
+      {"selfint_", " of triangles meet, "},
       {"degenerate_", "degenerate: "},
       {"made_duplicate-face", "with more than two faces"},
       {"made_one-face-flipped", "not consistently oriented: 3 edges"},
