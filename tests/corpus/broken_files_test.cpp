@@ -83,10 +83,9 @@ const Case kCases[] = {
      solid(0.0291735361, "resolved: 67 pairs of triangles in which the surface met itself")},
     {"broken/nonmanifold-edge_back-to-back_10f.stl", refused("degenerate: 2 faces without area"),
      solid(32.0 / 3, "dropped: 1 face between two parts")},
-    // A solid with a gap of a millionth along an edge: a tree of leaf planes 0 is too large.
     {"broken/nonmanifold-edge_kingroon_10164f.stl",
      refused("18 edges with more than two faces, first at ("),
-     refused("the tree would have more than")},
+     solid(1518788.808, "resolved: 18 edges with more than two faces")},
     {"broken/nonmanifold-edge_trimaker_19852f.stl",
      refused("312 edges with more than two faces, first at ("),
      solid(615505.31233, "resolved: 312 edges with more than two faces")},
