@@ -1,6 +1,7 @@
 #include "server/build/expression.hpp"
 
 #include <algorithm>
+#include <array>
 #include <glm/geometric.hpp>
 #include <unordered_map>
 #include <utility>
@@ -329,7 +330,7 @@ struct ExpressionBuilder::Work {
 
   /// Splits by the polygons from `begin` on, and takes them off. Every region without boundary
   /// inside is homogeneous. Inside the plane just used, next to a piece of boundary on it, lies
-  /// material; outside, none.
+  /// material; outside, none (but see labels_of).
   ///
   /// Most planes of a vertex with many faces have nearly all others on one side: where no better
   /// one is found, those that have all are taken off first.
@@ -352,11 +353,47 @@ struct ExpressionBuilder::Work {
     result_.tokens.insert(result_.tokens.end(), closing.begin(), closing.end());
   }
 
+  double area_of(const Polygon& polygon) const {
+    const auto corners = corners_of(polygon);
+    Vec3 sum{0.0};
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      sum += glm::cross(corners[i - 1].position - corners[0].position,
+                        corners[i].position - corners[0].position);
+    }
+    return 0.5 * glm::length(sum);
+  }
+
+  /// What the polygons from `begin` on that lie on a plane say of its two sides: In or Out, for a
+  /// side that has no other boundary, and so is all the one or all the other. Where a wall faces
+  /// each way, closer together than rounding, there is material on both sides. Slivers of either
+  /// may be there by rounding.
+  std::array<std::uint32_t, 2> labels_of(std::uint32_t plane, std::size_t begin, std::size_t end) {
+    double along = 0;
+    double against = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Polygon& polygon = polygons_[i];
+      if (polygon.plane != plane) {
+        const Reach reach = reach_of(polygon, plane);
+        if (reach.inside || reach.outside) continue;
+      }
+      const bool is_along =
+          glm::dot(solid_.planes[polygon.plane].normal, solid_.planes[plane].normal) > 0;
+      (is_along ? along : against) += area_of(polygon);
+    }
+    return {2 * along >= against ? kInToken : kOutToken,
+            against > 0 && 2 * against >= along ? kInToken : kOutToken};
+  }
+
   void split_by(std::uint32_t plane, std::size_t begin, std::size_t depth) {
     const std::size_t end = polygons_.size();
     const std::size_t first_corner = corners_.size();
     const std::int32_t cut = cutter(plane);
     result_.tokens.push_back(token_of(plane));
+    bool has_others_on_it = false;
+    const auto label = [&](int keep) {
+      if (!has_others_on_it) return keep < 0 ? kInToken : kOutToken;
+      return labels_of(plane, begin, end)[keep < 0 ? 0 : 1];
+    };
     for (const int keep : {-1, +1}) {
       for (std::size_t i = begin; i < end; ++i) {
         const Polygon polygon = polygons_[i];
@@ -372,11 +409,12 @@ struct ExpressionBuilder::Work {
         } else if (keep < 0 ? reach.inside : reach.outside) {
           polygons_.push_back(polygon);
         }
+        has_others_on_it |= !reach.inside && !reach.outside;
       }
       if (polygons_.size() > end) {
         split(end, depth + 1);
       } else {
-        result_.tokens.push_back(keep < 0 ? kInToken : kOutToken);
+        result_.tokens.push_back(label(keep));
       }
       corners_.resize(first_corner);
     }

@@ -4,11 +4,15 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
+#include "common/base/errors.hpp"
+#include "common/tree/classify.hpp"
 #include "common/wire/spo_writer.hpp"
 #include "server/build/build_octree.hpp"
 #include "server/build/certify.hpp"
 #include "server/solid/import_solid.hpp"
+#include "tests/support/random.hpp"
 #include "tests/unit/solid/soups.hpp"
 
 namespace spoctree {
@@ -99,6 +103,47 @@ TEST(SmallGaps, DoNotMakeTreesOfRoundFitsLarger) {
     SCOPED_TRACE(sides);
     expect_size_follows_faces([&](double gap) { return pin_in_bearing(gap, sides); });
   }
+}
+
+/// Walls so close that rounded planes cannot tell which comes first, one of them larger.
+TEST(SmallGaps, OfAsMuchAsRoundingLeaveMaterialOnBothSides) {
+  std::size_t built = 0;
+  for (std::uint64_t seed = 0; seed < 200; ++seed) {
+    Random random(seed);
+    const double gap = std::pow(10.0, random.between(-16.5, -11));
+    PolygonSoup soup = together(box({0, 0, 0}, {1, 1, 1}), box({1 + gap, 0.25, 0}, {2, 0.75, 1}));
+    const double angle = random.between(0, 7);
+    const double tilt = random.between(0, 7);
+    const auto turn = [&](glm::dvec3 p) {
+      p = {std::cos(angle) * p.x - std::sin(angle) * p.y,
+           std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
+      return glm::dvec3{p.x, std::cos(tilt) * p.y - std::sin(tilt) * p.z,
+                        std::sin(tilt) * p.y + std::cos(tilt) * p.z};
+    };
+    for (glm::dvec3& p : soup.points) p = turn(p);
+    std::optional<Solid> solid;
+    try {
+      solid = import_solid(soup, "boxes", {.flat_tolerance = 0});
+    } catch (const BadInput&) {
+      continue;  // once rounded, they overlap
+    }
+    ++built;
+    const Octree tree = tree_of(*solid);
+    const auto last = static_cast<std::uint32_t>(tree.levels.size() - 1);
+    for (int i = 0; i < 100; ++i) {
+      const glm::dvec3 p{random.between(-0.2, 2.2), random.between(-0.2, 1.2),
+                         random.between(-0.2, 1.2)};
+      const auto between = [](double x, double lower, double upper) {
+        return lower < x && x < upper;
+      };
+      const bool is_in = between(p.z, 0, 1) && ((between(p.x, 0, 1) && between(p.y, 0, 1)) ||
+                                                (between(p.x, 1, 2) && between(p.y, 0.25, 0.75)));
+      EXPECT_EQ(classify_point(tree, tree.universe.to_universe(turn(p)), last),
+                is_in ? PointClass::In : PointClass::Out)
+          << "seed " << seed << ", gap " << gap;
+    }
+  }
+  EXPECT_GT(built, 100u);
 }
 
 }  // namespace
