@@ -139,7 +139,7 @@ void judge_heap(const PlainMesh& heap, double step, Random& random, Figures& fig
   try {
     const Solid solid = import_solid(repaired.soup, "heap", options);
     const SolidQueries queries(solid);
-    const BuiltOctree built = build_octree(solid, queries, {SpRules{16}, {}});
+    const BuiltOctree built = build_octree(solid, queries, {});
     for (std::uint32_t k = 0; k < built.tree.levels.size(); ++k) {
       const QueryIndex index(built.tree, k);
       for (const Question& question : questions) {
