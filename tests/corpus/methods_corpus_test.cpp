@@ -22,13 +22,14 @@ namespace fs = std::filesystem;
 
 class MethodsCorpus : public testing::TestWithParam<const char*> {};
 
-void expect_same(const LineScene& scene, const CellScene& cells, const Camera& camera,
-                 const Rectangle& frame) {
+/// Returns the length of what is seen.
+double expect_same(const LineScene& scene, const CellScene& cells, const Camera& camera,
+                   const Rectangle& frame) {
   const DrawingDifference difference = compare_methods(scene, cells, camera, frame);
-  EXPECT_GT(difference.length, 0);
   EXPECT_EQ(difference.only_first, 0);
   EXPECT_EQ(difference.only_second, 0);
   for (const std::string& fault : difference.faults) ADD_FAILURE() << fault;
+  return difference.length;
 }
 
 TEST_P(MethodsCorpus, DrawTheSame) {
@@ -45,19 +46,26 @@ TEST_P(MethodsCorpus, DrawTheSame) {
   const auto coarse_last = static_cast<std::uint32_t>(coarse.levels.size() - 1);
   const std::tuple<const Octree&, std::uint32_t> cases[] = {
       {fine, last / 2}, {fine, last}, {coarse, coarse_last}};
+  double seen_within = 0;
+  std::size_t eyes = 0;
   for (const auto& [tree, level] : cases) {
     SCOPED_TRACE("level " + std::to_string(level) + " of " + std::to_string(tree.levels.size()));
     const LineScene scene(tree, rebuild_surface(tree, level), level);
     const CellScene cells(scene);
     for (const Camera& camera :
          {Camera(), Camera(Vec3{0, -1, 0}), Camera::perspective({2.1, -3.3, 1.7}, {0, 0, 0})}) {
-      expect_same(scene, cells, camera, extent_of_universe(tree.universe, camera));
+      EXPECT_GT(expect_same(scene, cells, camera, extent_of_universe(tree.universe, camera)), 0);
     }
     for (const EyeWithin& eye : eyes_within(cells.space(), 2)) {
       const Camera camera = Camera::perspective(eye.at, eye.at + Vec3{0.4, 0.7, -0.2});
       const double half = 1.5 * camera.focal_length();
-      expect_same(scene, cells, camera, {{-half, -half}, {half, half}});
+      seen_within += expect_same(scene, cells, camera, {{-half, -half}, {half, half}});
+      ++eyes;
     }
+  }
+  // A single eye may look at a wall without an edge.
+  if (eyes > 0) {
+    EXPECT_GT(seen_within, 0);
   }
 }
 

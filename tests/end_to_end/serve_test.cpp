@@ -42,7 +42,7 @@ TEST_F(Serve, SendsTheFileByteForByte) {
 }
 
 TEST_F(Serve, BuildsMeshesFirstAndNamesModelsAfterTheirFiles) {
-  const ServerProcess server({put("saddle.off", off_of("saddle")), piece()});
+  const ServerProcess server({put("saddle.off", off_of("saddle")), piece(), "--leaf-planes", "0"});
   const Outcome list = run_client({"list", "spo://" + server.address()});
   EXPECT_EQ(list.code, 0) << list.err;
   EXPECT_NE(list.out.find("saddle"), std::string::npos) << list.out;
@@ -280,7 +280,8 @@ TEST_F(Serve, BuildWritesNoTwoThingsIntoOneFile) {
 
 TEST_F(Serve, BuildsTheSameBytesAgain) {
   const std::string mesh = put("saddle.off", off_of("saddle"));
-  EXPECT_EQ(run_server({"build", mesh, "-o", folder_.file("again.spo")}).code, 0);
+  EXPECT_EQ(run_server({"build", mesh, "-o", folder_.file("again.spo"), "--leaf-planes", "0"}).code,
+            0);
   EXPECT_EQ(read_file(folder_.file("again.spo")), spo_of("saddle"));
 }
 
@@ -288,7 +289,8 @@ TEST_F(Serve, BuildsTheSameBytesWithAnyNumberOfThreads) {
   const std::string mesh = put("sphere.off", off_of("sphere", 40));
   for (const char* const threads : {"1", "2", "3", "8"}) {
     const std::string output = folder_.file(std::string("threads-") + threads + ".spo");
-    const Outcome outcome = run_server({"build", mesh, "-o", output, "--threads", threads});
+    const Outcome outcome =
+        run_server({"build", mesh, "-o", output, "--threads", threads, "--leaf-planes", "0"});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_TRUE(read_file(output) == spo_of("sphere", 40)) << threads;
   }
