@@ -104,6 +104,9 @@ Solid read_solid(const std::filesystem::path& mesh, const ModelOptions& options,
                         " the wrong way for how the shells nest");
     }
     return solid;
+  } catch (const UnsoundSurface& error) {
+    throw BadInput(error.what() + std::string(options.repair ? "" : " (--repair may mend it)") +
+                   refusals);
   } catch (const BadInput& error) {
     throw BadInput(error.what() + refusals);
   }

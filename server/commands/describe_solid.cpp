@@ -9,11 +9,25 @@ namespace spoctree {
 
 namespace {
 
+bool are_equal(glm::dvec3 units) { return units.y == units.x && units.z == units.x; }
+
 // One number where all axes have the same.
-std::string units_text(glm::dvec3 units, const char* separator) {
+std::string units_text(glm::dvec3 units) {
   std::string text = to_short_text(units.x);
-  if (units.y == units.x && units.z == units.x) return text;
-  return text + separator + to_short_text(units.y) + separator + to_short_text(units.z);
+  if (are_equal(units)) return text;
+  return text + "," + to_short_text(units.y) + "," + to_short_text(units.z);
+}
+
+// "0.01", or "0.01 along x, 0.001 along z".
+std::string units_in_words(glm::dvec3 units) {
+  if (are_equal(units)) return to_short_text(units.x);
+  std::string text;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (units[axis] == 0) continue;
+    if (!text.empty()) text += ", ";
+    text += to_short_text(units[axis]) + " along " + "xyz"[axis];
+  }
+  return text;
 }
 
 // Of the limits, the one that makes the unit.
@@ -41,17 +55,15 @@ std::string describe_flat_tolerance(const FlatToleranceTaken& taken) {
     return to_short_text(taken.spread) + " (" + to_short_text(taken.fraction) + " of the diagonal" +
            (taken.was_given ? ", as given)" : ")");
   }
-  const glm::dvec3 units = taken.rounding;
   return to_short_text(taken.rounded_spread) + " (" + to_short_text(rounded_fraction(taken)) +
-         " of the diagonal: " + digits_text(taken) + ", coordinates are rounded to " +
-         units_text(units, ", ") +
-         (units.y == units.x && units.z == units.x ? "" : " along x, y, z") + ")";
+         " of the diagonal: " + digits_text(taken) + ", coordinates may be rounded to " +
+         units_in_words(taken.rounding) + ")";
 }
 
 std::string flat_tolerance_options(const FlatToleranceTaken& taken) {
   if (!taken.is_by_rounding()) return "flat-tolerance=" + to_text(taken.fraction);
   return "flat-tolerance=" + to_short_text(rounded_fraction(taken)) +
-         " rounding=" + units_text(taken.rounding, ",");
+         " rounding=" + units_text(taken.rounding);
 }
 
 std::string describe_solid(const std::string& name, const SolidReport& report,

@@ -10,6 +10,7 @@
 #include "common/base/errors.hpp"
 #include "server/mesh/point_table.hpp"
 #include "server/solid/first_found.hpp"
+#include "server/solid/import_solid.hpp"
 
 namespace spoctree {
 
@@ -45,6 +46,10 @@ std::string place_text(std::span<const glm::dvec3> points, std::span<const std::
 
 void GridMesh::fail(const std::string& what) const {
   throw BadInput(std::string(name) + ": " + what);
+}
+
+void GridMesh::fail_as_unsound(const std::string& what) const {
+  throw UnsoundSurface(std::string(name) + ": " + what);
 }
 
 std::string counted(std::size_t count, std::string_view thing) {

@@ -56,6 +56,8 @@ struct GridMesh {
   }
   /// Throws BadInput("name: what").
   [[noreturn]] void fail(const std::string& what) const;
+  /// The same, as UnsoundSurface.
+  [[noreturn]] void fail_as_unsound(const std::string& what) const;
 };
 
 /// Chooses the universe cube, so that points may still move by `most_move` (in the file's units),

@@ -44,7 +44,7 @@ std::vector<std::uint32_t> number_parts(const std::vector<Corners>& neighbours,
 }
 
 [[noreturn]] void fail_for_meeting(const GridMesh& mesh, const std::vector<Corners>& neighbours,
-                                   const MeetingTriangles& meeting, bool is_repaired) {
+                                   const MeetingTriangles& meeting) {
   // The coordinates of the file may be finer than the grid; then say whose fault it is.
   const auto as_filed = find_self_intersections(mesh.points, mesh.triangles,
                                                 box_tree_of(mesh.points, mesh.triangles));
@@ -79,13 +79,13 @@ std::vector<std::uint32_t> number_parts(const std::vector<Corners>& neighbours,
   describe(between, "closed parts touch or overlap",
            ", of " + std::to_string(count) + " of " + std::to_string(parts) + " parts", true);
   describe(within, "self-intersecting", "", false);
-  mesh.fail(text + (is_repaired ? "" : " (--repair makes a solid of what is within)"));
+  mesh.fail_as_unsound(text);
 }
 
 void reject_self_intersections(const GridMesh& mesh, const std::vector<Corners>& neighbours,
-                               const BoxTree& boxes, bool is_repaired) {
+                               const BoxTree& boxes) {
   const MeetingTriangles meeting = find_meeting_triangles(mesh.vertices, mesh.triangles, boxes);
-  if (!meeting.pairs.empty()) fail_for_meeting(mesh, neighbours, meeting, is_repaired);
+  if (!meeting.pairs.empty()) fail_for_meeting(mesh, neighbours, meeting);
   if (meeting.are_all) return;
   mesh.fail("too entangled to be judged: the bounding boxes of more than " +
             std::to_string(kMostComparisons) + " pairs of its " +
@@ -114,7 +114,7 @@ ShellJudgement judge_nesting(GridMesh& mesh, std::vector<Corners>& neighbours, c
   if (!may_turn_shells) {
     FirstFound<std::uint32_t> wrong;
     for (const std::uint32_t t : shells.wrong) wrong.add(t);
-    mesh.fail("not consistently oriented: " + std::to_string(wrong.count()) + " of " +
+    mesh.fail_as_unsound("not consistently oriented: " + std::to_string(wrong.count()) + " of " +
               std::to_string(shells.shells) + " shells face the wrong way for how they nest, " +
               wrong.places([&](std::uint32_t t) { return mesh.place(mesh.triangles[t]); }));
   }
@@ -209,7 +209,7 @@ Solid import_solid(PolygonSoup soup, std::string_view name, const ImportOptions&
 
   const BoxTree boxes = box_tree_of(mesh.vertices, mesh.triangles);
   report_progress(0.4);
-  reject_self_intersections(mesh, neighbours, boxes, options.may_touch_itself);
+  reject_self_intersections(mesh, neighbours, boxes);
   report_progress(0.6);
   ShellJudgement shells = judge_nesting(mesh, neighbours, boxes, options.turn_shells, report);
   report.was_turned = shells.is_inside_out();

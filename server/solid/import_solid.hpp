@@ -4,12 +4,19 @@
 #include <optional>
 #include <string_view>
 
+#include "common/base/errors.hpp"
 #include "common/base/progress_meter.hpp"
 #include "common/geometry/tolerances.hpp"
 #include "server/mesh/polygon_soup.hpp"
 #include "server/solid/solid.hpp"
 
 namespace spoctree {
+
+/// The faces are all there, but do not bound a solid as they are: repair.hpp may mend that.
+class UnsoundSurface : public BadInput {
+ public:
+  using BadInput::BadInput;
+};
 
 struct ImportOptions {
   /// Neighbours whose corners lie between two parallel planes this far apart become one face, as a

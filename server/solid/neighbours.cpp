@@ -82,11 +82,11 @@ void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& nei
     }
   }
   if (split.count() > 0) {
-    mesh.fail("not a manifold: the faces around " +
-              (split.count() == 1 ? std::string("1 vertex form")
-                                  : std::to_string(split.count()) + " vertices form") +
-              " more than one fan, " +
-              split.places([&](std::uint32_t vertex) { return mesh.place({vertex}); }));
+    mesh.fail_as_unsound("not a manifold: closed parts touch, or a part itself: the faces around " +
+                         (split.count() == 1 ? std::string("1 vertex form")
+                                             : std::to_string(split.count()) + " vertices form") +
+                         " more than one fan, " +
+                         split.places([&](std::uint32_t vertex) { return mesh.place({vertex}); }));
   }
 }
 
@@ -99,6 +99,7 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
   EdgeFault crowded;
   EdgeFault border;
   EdgeFault misoriented;
+  bool is_balanced = true;  // every edge is run along as often one way as the other
   const auto join = [&](std::uint32_t h, std::uint32_t g) {
     neighbours[h / 3][h % 3] = g / 3;
     neighbours[g / 3][g % 3] = h / 3;
@@ -116,6 +117,10 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
       std::uint32_t end = i + 1;
       while (end < begin[v + 1] && filed[end].other == filed[i].other) ++end;
       const std::uint32_t h = filed[i].half_edge;
+      const auto one_way = std::count_if(
+          filed.begin() + i, filed.begin() + end,
+          [&](const FiledHalfEdge& filed_one) { return start_of(mesh, filed_one.half_edge) == v; });
+      is_balanced = is_balanced && 2 * one_way == end - i;
       if (end - i > 2) {
         if (!may_touch_itself || !join_wedges(i, end)) crowded.add(h);
       } else if (end - i == 1) {
@@ -129,11 +134,13 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
     }
   }
   std::string faults;
-  describe(crowded, mesh, "not a manifold", "edge", " with more than two faces", faults);
+  describe(crowded, mesh,
+           is_balanced ? "not a manifold: closed parts touch, or a part itself" : "not a manifold",
+           "edge", " with more than two faces", faults);
   describe(border, mesh, "not closed", "border edge", "", faults);
   describe(misoriented, mesh, "not consistently oriented", "edge", " whose two faces disagree",
            faults);
-  if (!faults.empty()) mesh.fail(faults);
+  if (!faults.empty()) mesh.fail_as_unsound(faults);
   if (!may_touch_itself) reject_split_vertices(mesh, neighbours);
   return neighbours;
 }

@@ -160,7 +160,7 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
   report.input_faces = soup.face_count();
   const auto place_of_face = [&](std::size_t i) { return mesh.place(soup.face(i)); };
   if (degenerate.count() > 0) {
-    mesh.fail("degenerate: " + counted(degenerate.count(), "face") + " without area, " +
+    mesh.fail_as_unsound("degenerate: " + counted(degenerate.count(), "face") + " without area, " +
               degenerate.places(place_of_face));
   }
   if (crossing.count() > 0) {
@@ -176,7 +176,7 @@ void triangulate(const PolygonSoup& soup, GridMesh& mesh, SolidReport& report) {
     if (area == AreaVector{0, 0, 0}) vanishing.add(i);
   }
   if (vanishing.count() > 0) {
-    mesh.fail("degenerate: " + counted(vanishing.count(), "triangle") +
+    mesh.fail_as_unsound("degenerate: " + counted(vanishing.count(), "triangle") +
               " thinner than 2^-52 of the extent, " +
               vanishing.places([&](std::size_t i) { return mesh.place(mesh.triangles[i]); }));
   }

@@ -140,7 +140,8 @@ TEST(JudgeSolid, SaysEdgeWhereThereIsOneOnly) {
       {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {0, -4, 0}, {0, 0, -4}},
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 4, 1}, {0, 1, 5}, {1, 4, 5}, {0, 5, 4}});
   EXPECT_EQ(import_error(soup),
-            "it: not a manifold: 1 edge with more than two faces, at (4, 0, 0)–(0, 0, 0)");
+            "it: not a manifold: closed parts touch, or a part itself: 1 edge with more than two "
+            "faces, at (4, 0, 0)–(0, 0, 0)");
 }
 
 TEST(JudgeSolid, FindsAFaceThatIsThereTwice) {
@@ -170,9 +171,11 @@ TEST(JudgeSolid, FindsAVertexWithTwoFans) {
   const PolygonSoup soup = make_soup(
       {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {0, 0, 4}, {-4, 0, 0}, {0, -4, 0}, {0, 0, -4}},
       {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}, {0, 4, 5}, {0, 6, 4}, {4, 6, 5}, {0, 5, 6}});
-  EXPECT_EQ(import_error(soup),
-            "it: not a manifold: the faces around 1 vertex form more than one fan, at "
-            "(0, 0, 0)");
+  EXPECT_EQ(
+      import_error(soup),
+      "it: not a manifold: closed parts touch, or a part itself: the faces around 1 vertex form "
+      "more than one fan, at "
+      "(0, 0, 0)");
 }
 
 TEST(JudgeSolid, CountsTheFacesThatASpikePierces) {
@@ -186,8 +189,7 @@ TEST(JudgeSolid, CountsTheFacesThatASpikePierces) {
             "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) (part 1) with "
             "(1, 1, 1)–(1, 2, -1)–(0.5, 0.5, -1) (part 2) and "
             "(0, 0, 0)–(0, 4, 0)–(4, 0, 0) (part 1) with "
-            "(1, 1, 1)–(0.5, 0.5, -1)–(2, 1, -1) (part 2) "
-            "(--repair makes a solid of what is within)");
+            "(1, 1, 1)–(0.5, 0.5, -1)–(2, 1, -1) (part 2)");
 }
 
 TEST(JudgeSolid, RefusesBoxesThatOverlapOrTouch) {
