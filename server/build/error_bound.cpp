@@ -408,7 +408,7 @@ double ExcessSearch::bound_by_pieces(const Part& part, const Extent& extent,
   for (auto near = nearest_pieces_.begin(); near != end; ++near) {
     const auto& [to_box, to_middle, piece] = *near;
     if (to_box >= bound || !is_in_question(bound, part.level)) break;
-    bound = std::min(bound, largest_distance(part.shape, pieces[piece], planes_));
+    bound = std::min(bound, largest_distance(part.shape, pieces[piece], planes_, bound));
   }
   return bound;
 }
@@ -429,7 +429,8 @@ void ExcessSearch::add_part(const Part& part, const Extent& extent, double bound
   item.bound = std::min(bound, farthest);
   if (!is_in_question(item.bound, item.end_level)) return;
   for (const PolyhedronVertex& vertex : part.shape.vertices) {
-    attain(queries_.distance(vertex.position) - vertex.error, item.end_level);
+    const double attained = attained_[item.end_level - 1];
+    attain(queries_.distance_beyond(attained, vertex.position) - vertex.error, item.end_level);
   }
   if (!is_in_question(item.bound, item.end_level)) return;
   item.region = std::make_shared<Region>();
@@ -456,8 +457,9 @@ double ExcessSearch::bound_of_undivided(const Region& undivided) {
   const std::size_t stride = undivided.shape.vertices.size() / kCornersTried + 1;
   for (std::size_t i = 0; i < undivided.shape.vertices.size(); i += stride) {
     const PolyhedronVertex& vertex = undivided.shape.vertices[i];
-    const double distance = queries_.distance(vertex.position) - vertex.error;
-    if (distance <= attained_[undivided.level]) continue;
+    const double attained = attained_[undivided.level];
+    const double distance = queries_.distance_beyond(attained, vertex.position) - vertex.error;
+    if (distance <= attained) continue;
     if (queries_.side_of(vertex.position) != SolidQueries::Side::In) {
       attain(distance, undivided.level + 1);
     }
@@ -478,10 +480,14 @@ double ExcessSearch::bound_of_undivided(const Region& undivided) {
 /// box from the triangle nearest to its centre. Notes how far the centre is, if it belongs to the
 /// excess.
 double ExcessSearch::bound_of_box(const Item& box, bool centre_is_in_region) {
-  const auto [distance, triangle] = queries_.nearest(box.centre);
+  // Within this distance of the surface the whole box is out of question.
+  const double half_diagonal = glm::length(box.half);
+  const double near_enough = threshold(box.end_level - 1) - half_diagonal;
+  const auto [distance, triangle] = queries_.nearest(box.centre, near_enough);
+  if (distance <= near_enough) return distance + half_diagonal;
   // From material, the way to what is beyond it leads through the boundary.
   if (box.kind == Kind::Leaf && queries_.side_of(box.centre) == SolidQueries::Side::In) {
-    return std::max(0.0, glm::length(box.half) - distance);
+    return std::max(0.0, half_diagonal - distance);
   }
   if (centre_is_in_region) {
     attain(distance, box.kind == Kind::Leaf ? box.region->level + 1 : box.end_level);
