@@ -231,7 +231,7 @@ class Hubs {
   }
 
  private:
-  static constexpr int kSlices = 64;
+  static constexpr int kSlices = 32;
   static constexpr std::size_t kMostInBundle = 16;
   static constexpr double kThinness = 0.25;  // of a bundle beside the length of a slice
   static bool is_large(std::uint32_t degree) { return degree > 256; }

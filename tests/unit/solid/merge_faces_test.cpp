@@ -455,7 +455,7 @@ TEST(LargeFans, MeetWhereEachTwoTrianglesSay) {
       if (!share_a_corner && CGAL::do_intersect(exact[i], exact[j])) expected.insert({i, j});
     }
   }
-  EXPECT_GT(expected.size(), 1000u);
+  EXPECT_GT(expected.size(), 500u);
   const MeetingTriangles meeting =
       find_meeting_triangles(points, triangles, box_tree_of(points, triangles));
   EXPECT_TRUE(meeting.are_all);
