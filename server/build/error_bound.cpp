@@ -85,7 +85,8 @@ Polyhedron corners_cut_off(const Polyhedron& region, const Polyhedron& piece) {
 struct Extent {
   Vec3 lower{0.0};
   Vec3 upper{0.0};
-  Vec3 mean{0.0};  ///< of the points: in any convex set that has them
+  Vec3 mean{0.0};    ///< of the points: in any convex set that has them
+  double error = 0;  ///< the largest of theirs
 
   Vec3 centre() const { return 0.5 * (lower + upper); }
 };
@@ -97,6 +98,7 @@ Extent extent_of(const Polyhedron& part) {
     extent.lower = glm::min(extent.lower, vertex.position);
     extent.upper = glm::max(extent.upper, vertex.position);
     extent.mean += vertex.position;
+    extent.error = std::max(extent.error, vertex.error);
   }
   extent.mean /= static_cast<double>(part.vertices.size());
   return extent;
@@ -447,7 +449,8 @@ void ExcessSearch::add_part(Part&& part, const std::shared_ptr<const Pieces>& pi
   item.bound = bound_by_pieces(part, extent, *pieces, bound);
   if (!is_in_question(item.bound, item.end_level)) return;
   // Nothing in a convex part is farther from a triangle than a corner.
-  const std::uint32_t nearest = queries_.nearest(extent.mean).triangle;
+  const auto [distance, nearest] = queries_.nearest(extent.mean);
+  attain(distance - extent.error, item.end_level);
   double farthest = 0;
   for (const PolyhedronVertex& vertex : part.shape.vertices) {
     farthest = std::max(farthest, queries_.distance_to(nearest, vertex.position) + vertex.error);
