@@ -28,7 +28,8 @@ double distance_to_segment(Vec3 p, Vec3 a, Vec3 b) {
 /// point is in a face that the point is beyond, below the point or on an edge. A point is taken to
 /// be over a face only if it is for certain: faces may be so narrow, or so small, that their
 /// corners are the same doubles, and then every point of the plane would seem to be over them.
-double distance_to(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
+/// Any number up to `small` will do for a distance up to that.
+double distance_to(const Polyhedron& piece, const PlaneSet& planes, Vec3 p, double small) {
   double least = std::numeric_limits<double>::infinity();
   bool is_inside = true;
   for (const Polyhedron::Face& face : piece.faces) {
@@ -36,6 +37,7 @@ double distance_to(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
     const double height = glm::dot(plane.normal, p) - plane.offset;
     if (height < -kPlaneRounding) continue;
     is_inside = false;
+    if (height >= least) continue;
     const auto loop = piece.loop(face);
     bool is_over_face = true;
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -51,21 +53,25 @@ double distance_to(const Polyhedron& piece, const PlaneSet& planes, Vec3 p) {
     if (is_over_face) {
       least = std::min(least, std::abs(height));
     }
+    if (least <= small) return least;
   }
   return is_inside ? 0 : least;
 }
 
 }  // namespace
 
-double largest_distance(const Polyhedron& part, const Polyhedron& piece, const PlaneSet& planes) {
+double largest_distance(const Polyhedron& part, const Polyhedron& piece, const PlaneSet& planes,
+                        double enough) {
   double piece_error = 0;
   for (const PolyhedronVertex& vertex : piece.vertices) {
     piece_error = std::max(piece_error, vertex.error);
   }
   double largest = 0;
   for (const PolyhedronVertex& vertex : part.vertices) {
-    largest = std::max(
-        largest, distance_to(piece, planes, vertex.position) + 2 * (vertex.error + piece_error));
+    const double error = 2 * (vertex.error + piece_error);
+    largest =
+        std::max(largest, distance_to(piece, planes, vertex.position, largest - error) + error);
+    if (largest >= enough) break;
   }
   return largest;
 }

@@ -25,7 +25,7 @@ namespace {
 /// Distances are computed to better than this; it is added to every bound (universe units).
 constexpr double kDistanceRounding = 1e-12;
 
-/// Boxes opened for one level at most. (Nodes are opened once each.)
+/// Boxes and parts opened for one level at most. (Nodes are opened once each.)
 constexpr std::size_t kMostBoxes = 20000;
 
 /// What may be farther than so many times what is in question by now is opened at once: hardly
@@ -41,6 +41,9 @@ constexpr std::size_t kPiecesTried = 16;
 
 /// Of an undivided leaf's corners, about as many are looked at.
 constexpr std::size_t kCornersTried = 64;
+
+/// Parts not longer than so many of the finest cells are divided as boxes: walls are between those.
+constexpr double kFewUnits = 4;
 
 /// Doubles tell a point's side of a plane to better than this.
 constexpr double kSideRounding = 1e-14;
@@ -82,7 +85,8 @@ Polyhedron corners_cut_off(const Polyhedron& region, const Polyhedron& piece) {
 struct Extent {
   Vec3 lower{0.0};
   Vec3 upper{0.0};
-  Vec3 mean{0.0};  ///< of the points: in any convex set that has them
+  Vec3 mean{0.0};    ///< of the points: in any convex set that has them
+  double error = 0;  ///< the largest of theirs
 
   Vec3 centre() const { return 0.5 * (lower + upper); }
 };
@@ -94,15 +98,20 @@ Extent extent_of(const Polyhedron& part) {
     extent.lower = glm::min(extent.lower, vertex.position);
     extent.upper = glm::max(extent.upper, vertex.position);
     extent.mean += vertex.position;
+    extent.error = std::max(extent.error, vertex.error);
   }
   extent.mean /= static_cast<double>(part.vertices.size());
   return extent;
 }
 
-/// No point of the box is nearer.
-double distance_to_box(Vec3 point, const Extent& box) {
-  return glm::distance(point, glm::clamp(point, box.lower, box.upper));
+/// Some of the points in the one box, which they fill from wall to wall, are no nearer to the
+/// other.
+double overhang(const Extent& of, const Extent& beyond) {
+  const Vec3 by = glm::max(beyond.lower - of.lower, of.upper - beyond.upper);
+  return std::max({by.x, by.y, by.z, 0.0});
 }
+
+bool has_less_volume(const Polyhedron& a, const Polyhedron& b) { return volume(a) < volume(b); }
 
 /// A best-first search for the points of T_k, for one k after the other, that are farthest from the
 /// solid.
@@ -136,7 +145,13 @@ class ExcessSearch {
   enum class Kind : std::uint8_t {
     Node,  ///< GREY, with its region
     Leaf,  ///< a box that matters as far as it is in a leaf's region and not in the solid
-    Part   ///< a box that matters as far as it is in a part of the excess
+    Part   ///< a part of the excess, and the box around it; or, if tiny, what of it is in a box
+  };
+  /// The pieces of material in a leaf.
+  struct Pieces {
+    std::vector<Polyhedron> shapes;
+    std::vector<Extent> extents;
+    std::size_t largest = 0;
   };
   struct Item {
     double bound = 0;
@@ -145,6 +160,7 @@ class ExcessSearch {
     std::shared_ptr<Region> region;
     Vec3 centre{0.0};
     Vec3 half{0.0};
+    std::shared_ptr<const Pieces> pieces;  ///< beside a part
     bool operator<(const Item& other) const { return bound < other.bound; }
   };
 
@@ -159,12 +175,11 @@ class ExcessSearch {
   void open_node(const Item& item);
   void open_child(const NodeAddress& child, const Item& parent, Polyhedron shape);
   void open_leaf(Region&& of_leaf, double bound);
-  void add_parts(const std::vector<Part>& parts, const std::vector<Polyhedron>& pieces,
-                 double bound);
-  double bound_by_pieces(const Part& part, const Extent& extent,
-                         const std::vector<Polyhedron>& pieces, const std::vector<Extent>& extents,
+  void add_parts(std::vector<Part>&& parts, std::vector<Polyhedron>&& shapes, double bound);
+  double bound_by_pieces(const Part& part, const Extent& extent, const Pieces& pieces,
                          double bound);
-  void add_part(const Part& part, const Extent& extent, double bound);
+  void add_part(Part&& part, const std::shared_ptr<const Pieces>& pieces, double bound);
+  void open_part(const Item& item);
   void add_undivided(Region&& region, double bound);
   double bound_of_undivided(const Region& undivided);
   double bound_of_box(const Item& box, bool centre_is_in_region);
@@ -221,7 +236,7 @@ double ExcessSearch::run(std::uint32_t k, const GreyRegions& regions) {
     if (item.kind == Kind::Node) {
       open_node(item);
     } else {
-      open_box(item);
+      item.kind == Kind::Part ? open_part(item) : open_box(item);
       ++boxes;
     }
   }
@@ -342,12 +357,12 @@ void ExcessSearch::open_leaf(Region&& of_leaf, double bound) {
                                        [&](std::uint32_t plane) { return cut(plane, leaf.level); });
   }
   if (!has_rest) {
-    add_parts(parts, pieces, bound);
+    add_parts(std::move(parts), std::move(pieces), bound);
     return;
   }
   if (kind == NodeKind::Black || kind == NodeKind::Convex) {
     pieces.push_back(std::move(region));
-    add_parts(parts, pieces, bound);
+    add_parts(std::move(parts), std::move(pieces), bound);
     return;
   }
   std::vector<std::uint32_t> tokens;
@@ -375,66 +390,101 @@ void ExcessSearch::open_leaf(Region&& of_leaf, double bound) {
     if (found.inside) open.emplace_back(inside, token + 1);
     if (found.outside) open.emplace_back(outside, skip_expression(token + 1));
   }
-  add_parts(parts, pieces, bound);
+  add_parts(std::move(parts), std::move(pieces), bound);
 }
 
 /// Parts beside pieces of material, which they may cover as thin sheets.
-void ExcessSearch::add_parts(const std::vector<Part>& parts, const std::vector<Polyhedron>& pieces,
+void ExcessSearch::add_parts(std::vector<Part>&& parts, std::vector<Polyhedron>&& shapes,
                              double bound) {
-  std::vector<Extent> extents;
-  for (const Polyhedron& piece : pieces) extents.push_back(extent_of(piece));
-  for (const Part& part : parts) {
-    if (!is_in_question(bound, part.level)) continue;
-    const Extent extent = extent_of(part.shape);
-    const double least = bound_by_pieces(part, extent, pieces, extents, bound);
-    if (is_in_question(least, part.level)) add_part(part, extent, least);
+  if (std::none_of(parts.begin(), parts.end(),
+                   [&](const Part& part) { return is_in_question(bound, part.level); })) {
+    return;
   }
+  const auto pieces = std::make_shared<Pieces>();
+  for (const Polyhedron& shape : shapes) pieces->extents.push_back(extent_of(shape));
+  pieces->largest = static_cast<std::size_t>(
+      std::max_element(shapes.begin(), shapes.end(), has_less_volume) - shapes.begin());
+  pieces->shapes = std::move(shapes);
+  for (Part& part : parts) add_part(std::move(part), pieces, bound);
 }
 
-/// The bound by that piece which gives the best, unless any puts the part out of question. The
-/// nearest come first: where not even some point of the part is nearer to a piece's box than the
-/// bound, none of the others can help.
-double ExcessSearch::bound_by_pieces(const Part& part, const Extent& extent,
-                                     const std::vector<Polyhedron>& pieces,
-                                     const std::vector<Extent>& extents, double bound) {
+/// The bound by that piece which gives the best, unless any puts the part out of question. A thin
+/// part may be as wide as the largest piece, and lie over many small ones: that is tried first,
+/// then those whose boxes the part hardly leaves. Where it leaves a box by more than the bound,
+/// none of the others can help.
+double ExcessSearch::bound_by_pieces(const Part& part, const Extent& extent, const Pieces& pieces,
+                                     double bound) {
+  if (pieces.shapes.empty()) return bound;
+  const auto try_piece = [&](std::size_t piece) {
+    bound = std::min(bound, largest_distance(part.shape, pieces.shapes[piece], planes_, bound));
+  };
+  try_piece(pieces.largest);
+  if (!is_in_question(bound, part.level)) return bound;
   nearest_pieces_.clear();
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
+  for (std::size_t i = 0; i < pieces.shapes.size(); ++i) {
+    const Extent& of_piece = pieces.extents[i];
     nearest_pieces_.push_back(
-        {distance_to_box(extent.mean, extents[i]), glm::distance(extent.mean, extents[i].mean), i});
+        {overhang(extent, of_piece), glm::distance(extent.mean, of_piece.mean), i});
   }
   const std::size_t tried = std::min(nearest_pieces_.size(), kPiecesTried);
   const auto end = nearest_pieces_.begin() + static_cast<std::ptrdiff_t>(tried);
   std::partial_sort(nearest_pieces_.begin(), end, nearest_pieces_.end());
   for (auto near = nearest_pieces_.begin(); near != end; ++near) {
-    const auto& [to_box, to_middle, piece] = *near;
-    if (to_box >= bound || !is_in_question(bound, part.level)) break;
-    bound = std::min(bound, largest_distance(part.shape, pieces[piece], planes_));
+    const auto& [at_least, to_middle, piece] = *near;
+    if (at_least >= bound || !is_in_question(bound, part.level)) break;
+    if (piece != pieces.largest) try_piece(piece);
   }
   return bound;
 }
 
-void ExcessSearch::add_part(const Part& part, const Extent& extent, double bound) {
+void ExcessSearch::add_part(Part&& part, const std::shared_ptr<const Pieces>& pieces,
+                            double bound) {
+  if (!is_in_question(bound, part.level)) return;
+  const Extent extent = extent_of(part.shape);
   Item item;
   item.kind = Kind::Part;
   item.end_level = part.level;
   item.centre = extent.centre();
   item.half = 0.5 * (extent.upper - extent.lower);
+  item.bound = bound_by_pieces(part, extent, *pieces, bound);
+  if (!is_in_question(item.bound, item.end_level)) return;
   // Nothing in a convex part is farther from a triangle than a corner.
-  const std::uint32_t nearest = queries_.nearest(item.centre).triangle;
+  const auto [distance, nearest] = queries_.nearest(extent.mean);
+  attain(distance - extent.error, item.end_level);
   double farthest = 0;
   for (const PolyhedronVertex& vertex : part.shape.vertices) {
     farthest = std::max(farthest, queries_.distance_to(nearest, vertex.position) + vertex.error);
-    if (farthest >= bound) break;
+    if (farthest >= item.bound) break;
   }
-  item.bound = std::min(bound, farthest);
+  item.bound = std::min(item.bound, farthest);
   if (!is_in_question(item.bound, item.end_level)) return;
   for (const PolyhedronVertex& vertex : part.shape.vertices) {
-    attain(queries_.distance(vertex.position) - vertex.error, item.end_level);
+    const double attained = attained_[item.end_level - 1];
+    attain(queries_.distance_beyond(attained, vertex.position) - vertex.error, item.end_level);
   }
   if (!is_in_question(item.bound, item.end_level)) return;
   item.region = std::make_shared<Region>();
-  item.region->shape = part.shape;
+  item.region->shape = std::move(part.shape);
+  item.pieces = pieces;
   open_.push(std::move(item));
+}
+
+/// Halves a part across its longest side: its halves stay near the surface, where boxes would not.
+void ExcessSearch::open_part(const Item& item) {
+  const Vec3 half = item.half;
+  const int axis = half.x >= half.y && half.x >= half.z ? 0 : (half.y >= half.z ? 1 : 2);
+  const double unit = wall_coordinate(planes_.half_side(), 1) + planes_.half_side();
+  if (half[axis] < kFewUnits * unit) {
+    open_box(item);
+    return;
+  }
+  const auto middle = static_cast<std::uint32_t>((item.centre[axis] + planes_.half_side()) / unit);
+  Polyhedron lower;
+  Polyhedron upper;
+  const auto found =
+      clipper_.split(item.region->shape, PlaneRef::of_wall(axis, middle), planes_, lower, upper);
+  if (found.inside) add_part({item.end_level, std::move(lower)}, item.pieces, item.bound);
+  if (found.outside) add_part({item.end_level, std::move(upper)}, item.pieces, item.bound);
 }
 
 /// A leaf with its material in it.
@@ -456,8 +506,9 @@ double ExcessSearch::bound_of_undivided(const Region& undivided) {
   const std::size_t stride = undivided.shape.vertices.size() / kCornersTried + 1;
   for (std::size_t i = 0; i < undivided.shape.vertices.size(); i += stride) {
     const PolyhedronVertex& vertex = undivided.shape.vertices[i];
-    const double distance = queries_.distance(vertex.position) - vertex.error;
-    if (distance <= attained_[undivided.level]) continue;
+    const double attained = attained_[undivided.level];
+    const double distance = queries_.distance_beyond(attained, vertex.position) - vertex.error;
+    if (distance <= attained) continue;
     if (queries_.side_of(vertex.position) != SolidQueries::Side::In) {
       attain(distance, undivided.level + 1);
     }
@@ -478,10 +529,14 @@ double ExcessSearch::bound_of_undivided(const Region& undivided) {
 /// box from the triangle nearest to its centre. Notes how far the centre is, if it belongs to the
 /// excess.
 double ExcessSearch::bound_of_box(const Item& box, bool centre_is_in_region) {
-  const auto [distance, triangle] = queries_.nearest(box.centre);
+  // Within this distance of the surface the whole box is out of question.
+  const double half_diagonal = glm::length(box.half);
+  const double near_enough = threshold(box.end_level - 1) - half_diagonal;
+  const auto [distance, triangle] = queries_.nearest(box.centre, near_enough);
+  if (distance <= near_enough) return distance + half_diagonal;
   // From material, the way to what is beyond it leads through the boundary.
   if (box.kind == Kind::Leaf && queries_.side_of(box.centre) == SolidQueries::Side::In) {
-    return std::max(0.0, glm::length(box.half) - distance);
+    return std::max(0.0, half_diagonal - distance);
   }
   if (centre_is_in_region) {
     attain(distance, box.kind == Kind::Leaf ? box.region->level + 1 : box.end_level);

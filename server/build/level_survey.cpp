@@ -38,7 +38,8 @@ void LevelSurvey::inner(const NodeAddress& address, const Polyhedron& region) {
   const auto [bound, farthest] = reach_of(built_, solid_, address, region);
   if (bound <= kErrorBoundRatio * level.attained) return;
   // A distance that is attained, from the corner that looks farthest, keeps the list short.
-  const double distance = queries_.distance(farthest->position) - farthest->error;
+  const double distance =
+      queries_.distance_beyond(level.attained, farthest->position) - farthest->error;
   if (distance > level.attained && queries_.side_of(farthest->position) != SolidQueries::Side::In) {
     level.attained = distance;
   }

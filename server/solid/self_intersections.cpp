@@ -79,19 +79,21 @@ bool meet_wrongly(std::span<const Vec3> points, Corners a, Corners b) {
 
 // A task of this many boxes is large enough for one thread.
 constexpr std::uint32_t kBoxesPerTask = 2048;
-constexpr std::size_t kTasksAtATime = 16;  // at first
+constexpr std::size_t kTasksAtATime = 16;    // at first
+constexpr std::size_t kTasksToUseAllUp = 4;  // comparisons: no task makes more than its share
 constexpr std::size_t kQueriesPerTask = 1024;
 static_assert(kAllPairsAreFoundBelow <= std::min(kQueriesPerTask, kMostSelfIntersections));
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-// The pairs of overlapping boxes for which is_wrong(i, j), in an order that does not depend on the
-// number of threads. Stops soon after kMostSelfIntersections, or after that many comparisons, and
-// takes those made off the number.
-template <class IsWrong>
-std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
-                                     std::span<const std::uint32_t> node_labels,
-                                     std::size_t& comparisons, const IsWrong& is_wrong) {
+// What compare(i, j, pairs) appends to `pairs` for all pairs of overlapping boxes, in an order that
+// does not depend on the number of threads; it returns the number of its comparisons. Stops soon
+// after kMostSelfIntersections, or after that many comparisons, and takes those made off the
+// number.
+template <class Compare>
+std::vector<TrianglePair> compare_pairs(const BoxTree& boxes,
+                                        std::span<const std::uint32_t> node_labels,
+                                        std::size_t& comparisons, const Compare& compare) {
   const std::vector<NodePair> tasks = boxes.split_pairs(kBoxesPerTask);
   std::vector<TrianglePair> all;
   // Few tasks at a time where much is found, so that little is done in vain.
@@ -103,22 +105,34 @@ std::vector<TrianglePair> find_pairs(const BoxTree& boxes,
     const std::size_t count = std::min({at_a_time, affordable, tasks.size() - begin});
     std::vector<std::vector<TrianglePair>> found(count);
     std::vector<std::size_t> compared(count, 0);
+    const std::size_t most = comparisons / kTasksToUseAllUp;
     parallel_for(count, [&](std::size_t k) {
       boxes.visit_overlapping_pairs(
           tasks[begin + k], node_labels, [&](std::uint32_t i, std::uint32_t j) {
-            ++compared[k];
-            if (found[k].size() < kMostSelfIntersections && is_wrong(i, j)) {
-              found[k].push_back({std::min(i, j), std::max(i, j)});
-            }
+            if (found[k].size() >= kMostSelfIntersections || compared[k] > most) return;
+            compared[k] += compare(i, j, found[k]);
           });
     });
     for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
     begin += count;
     const std::size_t sum = std::accumulate(compared.begin(), compared.end(), std::size_t{0});
-    comparisons -= std::min(comparisons, sum);
+    const bool was_cut_short = std::any_of(compared.begin(), compared.end(),
+                                           [&](std::size_t made) { return made > most; });
+    comparisons -= was_cut_short ? comparisons : std::min(comparisons, sum);
     if (all.size() < 1000) at_a_time = std::min(2 * at_a_time, tasks.size());
   }
   return all;
+}
+
+// The pairs of overlapping boxes for which is_wrong(i, j).
+template <class IsWrong>
+std::vector<TrianglePair> find_pairs(const BoxTree& boxes, std::size_t& comparisons,
+                                     const IsWrong& is_wrong) {
+  return compare_pairs(boxes, {}, comparisons,
+                       [&](std::uint32_t i, std::uint32_t j, std::vector<TrianglePair>& found) {
+                         if (is_wrong(i, j)) found.push_back({std::min(i, j), std::max(i, j)});
+                         return std::size_t{1};
+                       });
 }
 
 // Vertices in very many triangles: the boxes of these all overlap each other there.
@@ -144,42 +158,71 @@ class Hubs {
   // The hub of each triangle, or BoxTree::kMixed; empty if there are none.
   const std::vector<std::uint32_t>& hub_of() const { return hub_of_; }
 
-  // Boxes that contain the triangle together: slices between its hub and the far edge, or its box.
-  void append_slices(std::uint32_t triangle, std::vector<Box>& boxes) const {
-    Corners t = triangles_[triangle];
-    if (hub_of_[triangle] == BoxTree::kMixed) {
+  // Some triangles with the same hub, or any one.
+  using Bundle = std::vector<std::uint32_t>;
+
+  // All triangles in bundles that are thin for their length: as many boxes are enough for those of
+  // a fan, in whose order they mostly come, however many there are.
+  std::vector<Bundle> bundles() const {
+    std::vector<Bundle> all;
+    for (std::uint32_t i = 0; i < hub_of_.size(); ++i) {
+      if (hub_of_[i] == BoxTree::kMixed) all.push_back({i});
+    }
+    for (const auto& [hub, fan] : fans()) {
+      Box far;
+      double most = 0;
+      const std::size_t first = all.size();
+      for (const std::uint32_t i : fan) {
+        const Box next = far_edge(i);
+        far = {glm::min(far.lower, next.lower), glm::max(far.upper, next.upper)};
+        if (all.size() == first || all.back().size() == kMostInBundle ||
+            glm::distance(far.lower, far.upper) > most) {
+          all.emplace_back();
+          far = next;
+          const Vec3 middle = 0.5 * (far.lower + far.upper);
+          most = kThinness / kSlices * glm::distance(points_[hub], middle);
+        }
+        all.back().push_back(i);
+      }
+    }
+    return all;
+  }
+
+  // Boxes that contain the bundle's triangles together: slices between their hub and their far
+  // edges, or the one's box.
+  void append_slices(const Bundle& bundle, std::vector<Box>& boxes) const {
+    const std::uint32_t hub = hub_of_[bundle.front()];
+    if (hub == BoxTree::kMixed) {
+      const Corners& t = triangles_[bundle.front()];
       boxes.push_back(box_around(points_[t[0]], points_[t[1]], points_[t[2]]));
       return;
     }
-    while (t[0] != hub_of_[triangle]) std::rotate(t.begin(), t.begin() + 1, t.end());
-    const Vec3 hub = points_[t[0]];
-    const auto at = [&](std::uint32_t v, int slice) {
-      return hub + (points_[v] - hub) * (static_cast<double>(slice) / kSlices);
+    Box far = far_edge(bundle.front());
+    for (const std::uint32_t i : bundle) {
+      const Box next = far_edge(i);
+      far = {glm::min(far.lower, next.lower), glm::max(far.upper, next.upper)};
+    }
+    const Vec3 from = points_[hub];
+    const Vec3 rounding =
+        0x1p-50 * glm::max(glm::abs(from), glm::max(glm::abs(far.lower), glm::abs(far.upper)));
+    const auto at = [&](Vec3 corner, int slice) {
+      return from + (corner - from) * (static_cast<double>(slice) / kSlices);
     };
-    const Box whole = box_around(hub, points_[t[1]], points_[t[2]]);
-    const Vec3 rounding = 0x1p-50 * glm::max(glm::abs(whole.lower), glm::abs(whole.upper));
     for (int i = 0; i < kSlices; ++i) {
-      Box box = box_around(at(t[1], i), at(t[1], i + 1), at(t[2], i));
-      const Vec3 last = at(t[2], i + 1);
-      box.lower = glm::min(box.lower, last) - rounding;
-      box.upper = glm::max(box.upper, last) + rounding;
-      boxes.push_back(box);
+      boxes.push_back({glm::min(at(far.lower, i), at(far.lower, i + 1)) - rounding,
+                       glm::max(at(far.upper, i), at(far.upper, i + 1)) + rounding});
     }
   }
 
   // Pairs of triangles of the same hub. What two triangles share with their hub's corner, they
   // share along a ray from there: what is to be compared is where they are seen from the hub.
   std::vector<TrianglePair> find_wrong_pairs(std::size_t& comparisons) const {
-    std::map<std::uint32_t, std::vector<std::uint32_t>> fans;
-    for (std::uint32_t i = 0; i < hub_of_.size(); ++i) {
-      if (hub_of_[i] != BoxTree::kMixed) fans[hub_of_[i]].push_back(i);
-    }
     std::vector<TrianglePair> all;
-    for (const auto& [hub, fan] : fans) {
+    for (const auto& [hub, fan] : fans()) {
       std::vector<Box> boxes;
       for (const std::uint32_t i : fan) boxes.push_back(seen_from(hub, triangles_[i]));
-      const auto found = find_pairs(
-          BoxTree(boxes), {}, comparisons, [&, &of = fan](std::uint32_t i, std::uint32_t j) {
+      const auto found =
+          find_pairs(BoxTree(boxes), comparisons, [&, &of = fan](std::uint32_t i, std::uint32_t j) {
             return meet_wrongly(points_, triangles_[of[i]], triangles_[of[j]]);
           });
       for (const auto& [i, j] : found) all.push_back({fan[i], fan[j]});
@@ -189,7 +232,24 @@ class Hubs {
 
  private:
   static constexpr int kSlices = 32;
+  static constexpr std::size_t kMostInBundle = 16;
+  static constexpr double kThinness = 0.25;  // of a bundle beside the length of a slice
   static bool is_large(std::uint32_t degree) { return degree > 256; }
+
+  // The box of a triangle's corners other than its hub.
+  Box far_edge(std::uint32_t triangle) const {
+    Corners t = triangles_[triangle];
+    while (t[0] != hub_of_[triangle]) std::rotate(t.begin(), t.begin() + 1, t.end());
+    return {glm::min(points_[t[1]], points_[t[2]]), glm::max(points_[t[1]], points_[t[2]])};
+  }
+
+  std::map<std::uint32_t, std::vector<std::uint32_t>> fans() const {
+    std::map<std::uint32_t, std::vector<std::uint32_t>> fans;
+    for (std::uint32_t i = 0; i < hub_of_.size(); ++i) {
+      if (hub_of_[i] != BoxTree::kMixed) fans[hub_of_[i]].push_back(i);
+    }
+    return fans;
+  }
 
   // The box of the arc that the triangle covers on the unit sphere around the hub.
   Box seen_from(std::uint32_t hub, const Corners& t) const {
@@ -216,32 +276,38 @@ std::vector<TrianglePair> find_wrong_pairs(std::span<const Vec3> points,
   const Hubs hubs(points, triangles);
   const std::vector<std::uint32_t>& hub_of = hubs.hub_of();
   if (hub_of.empty()) {
-    return find_pairs(boxes, {}, comparisons, [&](std::uint32_t i, std::uint32_t j) {
+    return find_pairs(boxes, comparisons, [&](std::uint32_t i, std::uint32_t j) {
       return meet_wrongly(points, triangles[i], triangles[j]);
     });
   }
   // Long needles have boxes that overlap those of many others; slices of them have not.
+  const std::vector<Hubs::Bundle> bundles = hubs.bundles();
   std::vector<Box> slices;
-  std::vector<std::uint32_t> triangle_of;
+  std::vector<std::uint32_t> bundle_of;
   std::vector<std::uint32_t> label_of;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    hubs.append_slices(i, slices);
-    triangle_of.resize(slices.size(), i);
-    label_of.resize(slices.size(), hub_of[i]);
+  for (std::uint32_t k = 0; k < bundles.size(); ++k) {
+    hubs.append_slices(bundles[k], slices);
+    bundle_of.resize(slices.size(), k);
+    label_of.resize(slices.size(), hub_of[bundles[k].front()]);
   }
   const BoxTree tree(slices);
-  std::vector<TrianglePair> found = find_pairs(
-      tree, tree.common_labels(label_of), comparisons, [&](std::uint32_t p, std::uint32_t q) {
-        const std::uint32_t i = triangle_of[p];
-        const std::uint32_t j = triangle_of[q];
-        return i != j && (hub_of[i] != hub_of[j] || hub_of[i] == BoxTree::kMixed) &&
-               meet_wrongly(points, triangles[i], triangles[j]);
-      });
-  for (auto& [i, j] : found) {
-    i = triangle_of[i];
-    j = triangle_of[j];
-    if (i > j) std::swap(i, j);
-  }
+  std::vector<TrianglePair> found =
+      compare_pairs(tree, tree.common_labels(label_of), comparisons,
+                    [&](std::uint32_t p, std::uint32_t q, std::vector<TrianglePair>& pairs) {
+                      const Hubs::Bundle& a = bundles[bundle_of[p]];
+                      const Hubs::Bundle& b = bundles[bundle_of[q]];
+                      const std::uint32_t hub = hub_of[a.front()];
+                      if (&a == &b || (hub != BoxTree::kMixed && hub == hub_of[b.front()])) {
+                        return std::size_t{1};
+                      }
+                      for (const std::uint32_t i : a) {
+                        for (const std::uint32_t j : b) {
+                          if (!meet_wrongly(points, triangles[i], triangles[j])) continue;
+                          pairs.push_back({std::min(i, j), std::max(i, j)});
+                        }
+                      }
+                      return a.size() * b.size();
+                    });
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const std::vector<TrianglePair> of_hubs = hubs.find_wrong_pairs(comparisons);
@@ -285,7 +351,7 @@ std::vector<TrianglePair> find_new_self_intersections(std::span<const Vec3> poin
     return meet_wrongly(points, triangles[t], triangles[u]);
   };
   std::vector<TrianglePair> found =
-      find_pairs(changed.boxes, {}, unlimited, [&](std::uint32_t i, std::uint32_t j) {
+      find_pairs(changed.boxes, unlimited, [&](std::uint32_t i, std::uint32_t j) {
         return are_wrong(changed.triangles[i], changed.triangles[j]);
       });
   for (auto& [i, j] : found) {

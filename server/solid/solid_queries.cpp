@@ -1,5 +1,6 @@
 #include "server/solid/solid_queries.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -63,8 +64,9 @@ SolidQueries::Side SolidQueries::side_of(Vec3 point) const {
   return is_on ? Side::On : (is_inside ? Side::In : Side::Out);
 }
 
-SolidQueries::Nearest SolidQueries::nearest(Vec3 point) const {
+SolidQueries::Nearest SolidQueries::nearest(Vec3 point, double near_enough) const {
   Nearest found;
+  const double squared_enough = std::max(0.0, near_enough) * near_enough;
   double smallest = std::numeric_limits<double>::infinity();
   data_->boxes.smallest_squared_distance(point, [&](std::uint32_t i) {
     const double squared = data_->measured[i].squared_distance(point);
@@ -72,7 +74,7 @@ SolidQueries::Nearest SolidQueries::nearest(Vec3 point) const {
       smallest = squared;
       found.triangle = i;
     }
-    return squared;
+    return squared <= squared_enough ? 0.0 : squared;  // nothing is nearer: the search ends
   });
   found.distance = std::sqrt(smallest);
   return found;

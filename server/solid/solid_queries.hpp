@@ -28,13 +28,17 @@ class SolidQueries {
   /// The distance to the nearest triangle, in universe units, off by less than 1e-14 for points in
   /// the universe cube (relatively, for points far outside). About O(log n) near the surface.
   double distance(Vec3 point) const { return nearest(point).distance; }
+  /// The distance if it is more than `limit`, else some number up to `limit`: faster, as the search
+  /// ends at the first triangle that is so near.
+  double distance_beyond(double limit, Vec3 point) const { return nearest(point, limit).distance; }
 
-  /// The same, and which triangle is so near.
+  /// The same, and which triangle is so near. Any triangle will do that is not farther than
+  /// `near_enough`.
   struct Nearest {
     double distance = 0;
     std::uint32_t triangle = 0;
   };
-  Nearest nearest(Vec3 point) const;
+  Nearest nearest(Vec3 point, double near_enough = 0) const;
   /// As accurate.
   double distance_to(std::uint32_t triangle, Vec3 point) const;
 

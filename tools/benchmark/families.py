@@ -71,6 +71,12 @@ def sphere(n):
     return lathe([(0, -1), *rings, (0, 1)], n)
 
 
+def poles(n):
+    """A sphere of n meridians and few parallels: its polar triangles are long and thin."""
+    rings = [(math.sin(math.pi * k / 6), -math.cos(math.pi * k / 6)) for k in range(1, 6)]
+    return lathe([(0, -1), *rings, (0, 1)], n)
+
+
 def icosphere(n):
     """The icosahedron's 20 faces, each divided into n * n."""
     g = (1 + math.sqrt(5)) / 2
@@ -102,6 +108,22 @@ def icosphere(n):
     return points, triangles
 
 
+def fan(n):
+    """Two points and a wavy rim: at each point n triangles, of which few are flat with others."""
+    points = [(0, 0, 0.5)]
+    for k in range(n):
+        angle = 2 * math.pi * k / n
+        radius = 2 + 0.3 * math.sin(9 * angle)
+        points.append((radius * math.cos(angle), radius * math.sin(angle),
+                       1 + 0.1 * math.sin(5 * angle)))
+    points.append((0, 0, -1))
+    triangles = []
+    for k in range(n):
+        a, b = 1 + k, 1 + (k + 1) % n
+        triangles += [(0, a, b), (n + 1, b, a)]
+    return points, triangles
+
+
 def dented_fan(n):
     """A can with a sunk lid: fans of n triangles at two vertices."""
     rim = [(2 * math.cos(2 * math.pi * k / n), 2 * math.sin(2 * math.pi * k / n))
@@ -123,7 +145,10 @@ FAMILIES = (
     ("shaft", shaft, (120, 240, 360, 480), []),
     ("sphere", sphere, (72, 100, 142, 200), []),
     ("sphere, tolerance 0", sphere, (72, 100, 142, 200), ["--flat-tolerance", "0"]),
+    ("poles", poles, (250, 500, 1000, 2000), []),
+    ("poles, tolerance 0", poles, (250, 500, 1000, 2000), ["--flat-tolerance", "0"]),
     ("icosphere", icosphere, (16, 24, 32, 48), []),
+    ("fan", fan, (2000, 4000, 8000, 16000), []),
     ("dented fan", dented_fan, (1000, 2000, 4000, 8000), []),
 )
 

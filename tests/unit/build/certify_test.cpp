@@ -243,20 +243,17 @@ TEST(Certify, HoldsForLargeConvexParts) {
   EXPECT_EQ(built.tree.levels.back().statement.error_bound, 0);
 }
 
-// A sphere of quadrilaterals in single precision, every one of which is folded a little: it is the
-// noise of all faces alike that makes the error of the levels.
-TEST(Certify, HoldsWhereAllFacesAreNoisy) {
-  constexpr std::uint32_t kRows = 8;
-  constexpr std::uint32_t kColumns = 16;
+/// A sphere of triangles in single precision, in pairs that are folded a little, with all planes.
+Solid noisy_sphere(std::uint32_t rows, std::uint32_t columns) {
   PolygonSoup soup;
   const auto add_face = [&](std::initializer_list<std::uint32_t> corners) {
     soup.corners.insert(soup.corners.end(), corners);
     soup.first_corner.push_back(static_cast<std::uint32_t>(soup.corners.size()));
   };
-  for (std::uint32_t row = 1; row < kRows; ++row) {
-    for (std::uint32_t i = 0; i < kColumns; ++i) {
-      const double latitude = std::numbers::pi * row / kRows;
-      const double longitude = 2 * std::numbers::pi * i / kColumns;
+  for (std::uint32_t row = 1; row < rows; ++row) {
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const double latitude = std::numbers::pi * row / rows;
+      const double longitude = 2 * std::numbers::pi * i / columns;
       soup.points.emplace_back(static_cast<float>(std::sin(latitude) * std::cos(longitude)),
                                static_cast<float>(std::sin(latitude) * std::sin(longitude)),
                                static_cast<float>(-std::cos(latitude)));
@@ -265,20 +262,26 @@ TEST(Certify, HoldsWhereAllFacesAreNoisy) {
   const auto south = static_cast<std::uint32_t>(soup.points.size());
   soup.points.emplace_back(0, 0, -1);
   soup.points.emplace_back(0, 0, 1);
-  for (std::uint32_t i = 0; i < kColumns; ++i) {
-    const std::uint32_t next = (i + 1) % kColumns;
-    const std::uint32_t last = (kRows - 2) * kColumns;
+  for (std::uint32_t i = 0; i < columns; ++i) {
+    const std::uint32_t next = (i + 1) % columns;
+    const std::uint32_t last = (rows - 2) * columns;
     add_face({next, i, south});
     add_face({last + i, last + next, south + 1});
-    for (std::uint32_t at = 0; at < last; at += kColumns) {
-      add_face({at + i, at + next, at + kColumns + next});
-      add_face({at + i, at + kColumns + next, at + kColumns + i});
+    for (std::uint32_t at = 0; at < last; at += columns) {
+      add_face({at + i, at + next, at + columns + next});
+      add_face({at + i, at + columns + next, at + columns + i});
     }
   }
   ImportOptions options;
   options.flat_tolerance = 0;
-  judge_statements(import_solid(soup, "noisy sphere", options));
+  return import_solid(soup, "noisy sphere", options);
 }
+
+// It is the noise of all faces alike that makes the error of the levels.
+TEST(Certify, HoldsWhereAllFacesAreNoisy) { judge_statements(noisy_sphere(8, 16)); }
+
+// What lies over a pole is wide and thin, and every triangle below it is narrow.
+TEST(Certify, HoldsOverPolesOfNarrowTriangles) { judge_statements(noisy_sphere(6, 250)); }
 
 // A box of 2 x 2 x 1.5 with a square hole through it: T_0 fills the hole; the point farthest from
 // the material is on the hole's axis, half a hole's width from its walls.

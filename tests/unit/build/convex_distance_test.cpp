@@ -30,6 +30,8 @@ TEST(LargestDistance, IsThatOfTheFarthestCorner) {
   ASSERT_EQ(clipper.clip(piece, PlaneRef::of_table(0), planes), ClipResult::Cut);
   ASSERT_EQ(clipper.clip(part, PlaneRef::of_table(1), planes), ClipResult::Cut);
   EXPECT_NEAR(largest_distance(part, piece, planes), 1, 1e-12);
+  EXPECT_NEAR(largest_distance(part, piece, planes, 1.1), 1, 1e-12);
+  EXPECT_GE(largest_distance(part, piece, planes, 0.9), 0.9);
 }
 
 TEST(LargestDistance, IsNotFooledByFacesWhoseCornersAreTheSameDoubles) {

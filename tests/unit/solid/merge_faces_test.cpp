@@ -1,15 +1,21 @@
 // What merging makes of faces that are flat up to noise: which planes come out, how far corners
 // move, and what stays as it was because it would not be a solid any more.
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "server/mesh/parse_off.hpp"
+#include "server/solid/self_intersections.hpp"
 #include "server/solid/settle_corner.hpp"
 #include "server/solid/solid_queries.hpp"
 #include "server/solid/write_off.hpp"
@@ -407,6 +413,54 @@ TEST(LargeFans, AreSolids) {
   const Solid solid = import_it(soup, 0);
   EXPECT_EQ(solid.planes.size(), 40000u);
   EXPECT_LE(import_it(soup, 1e-6).planes.size(), 40000u);
+}
+
+TEST(LargeFans, MeetWhereEachTwoTrianglesSay) {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  // A ball of two fans, another one stuck through its side, and a loose triangle through both.
+  std::vector<Vec3> points;
+  std::vector<Corners> triangles;
+  const auto add_fans = [&](Vec3 centre, std::uint32_t n) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    points.push_back(centre + Vec3{0, 0, 0.2});
+    points.push_back(centre - Vec3{0, 0, 0.2});
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double at = 2 * std::numbers::pi * i / n;
+      points.push_back(centre + 0.3 * Vec3{std::cos(at), std::sin(at), 0.1 * std::sin(7 * at)});
+      const std::uint32_t here = first + 2 + i;
+      const std::uint32_t next = first + 2 + (i + 1) % n;
+      triangles.push_back({first, here, next});
+      triangles.push_back({first + 1, next, here});
+    }
+  };
+  add_fans({0.1, 0, 0}, 400);
+  add_fans({-0.15, 0.05, 0.07}, 300);
+  const auto first = static_cast<std::uint32_t>(points.size());
+  points.insert(points.end(), {{0.4, -0.4, 0.01}, {-0.5, 0.4, -0.02}, {-0.4, 0.5, 0.03}});
+  triangles.push_back({first, first + 1, first + 2});
+
+  std::set<std::array<std::uint32_t, 2>> expected;
+  std::vector<CGAL::Triangle_3<Kernel>> exact;
+  for (const Corners& t : triangles) {
+    const auto point = [&](std::uint32_t i) {
+      return Kernel::Point_3(points[i].x, points[i].y, points[i].z);
+    };
+    exact.emplace_back(point(t[0]), point(t[1]), point(t[2]));
+  }
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    for (std::uint32_t j = i + 1; j < triangles.size(); ++j) {
+      const bool share_a_corner =
+          std::find_first_of(triangles[i].begin(), triangles[i].end(), triangles[j].begin(),
+                             triangles[j].end()) != triangles[i].end();
+      if (!share_a_corner && CGAL::do_intersect(exact[i], exact[j])) expected.insert({i, j});
+    }
+  }
+  EXPECT_GT(expected.size(), 500u);
+  const MeetingTriangles meeting =
+      find_meeting_triangles(points, triangles, box_tree_of(points, triangles));
+  EXPECT_TRUE(meeting.are_all);
+  EXPECT_EQ(meeting.pairs.size(), expected.size());
+  for (const auto& pair : meeting.pairs) EXPECT_TRUE(expected.contains(pair));
 }
 
 TEST(LargeFans, AreRefusedWhereTheyFoldBack) {

@@ -183,7 +183,12 @@ TEST(SolidQueries, NearestTriangleIsTheNearestOfAll) {
                                           solid.vertices[t.vertex[2]])
                              .squared_distance(p));
     }
-    EXPECT_EQ(queries.distance(p), std::sqrt(nearest));
+    const double distance = std::sqrt(nearest);
+    EXPECT_EQ(queries.distance(p), distance);
+    EXPECT_EQ(queries.distance_beyond(0.9 * distance, p), distance);
+    EXPECT_LE(queries.distance_beyond(1.5 * distance, p), 1.5 * distance);
+    const auto [near, triangle] = queries.nearest(p, 1.5 * distance);
+    EXPECT_EQ(queries.distance_to(triangle, p), near);
   }
 }
 
