@@ -27,17 +27,20 @@ std::optional<Box> to_model(const std::optional<Box>& box, const Universe& unive
 
 void measure_surface(const Octree& tree, Measures& measures) {
   const Surface surface = rebuild_surface(tree, measures.level);
-  double volume = 0;
-  double area = 0;
+  const PlaneSet planes = tree.plane_set();
   std::uint32_t components = 0;
-  std::uint32_t cavities = 0;
-  for (const Shell& shell : find_shells(surface)) {
-    volume += shell.volume;
-    area += shell.area;
-    ++(shell.volume < 0 ? cavities : components);
+  for (const Shell& shell : find_shells(surface, planes, Filling::Material)) {
+    components += shell.volume > 0 ? 1 : 0;
   }
-  measures.volume = {volume, volume};
-  measures.area = {area, area};
+  std::uint32_t cavities = 0;
+  for (const Shell& shell : find_shells(surface, planes, Filling::Emptiness)) {
+    cavities += shell.volume < 0 ? 1 : 0;
+  }
+  // Of all faces at once: right whatever hangs together.
+  const double enclosed = volume(surface);
+  const double boundary = area(surface);
+  measures.volume = {enclosed, enclosed};
+  measures.area = {boundary, boundary};
   measures.components = components;
   measures.cavities = cavities;
   if (surface.vertices.empty()) return;

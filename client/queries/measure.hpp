@@ -27,6 +27,8 @@ struct Measures {
       inner_box;  ///< the solid's bounding box contains it; nothing: nothing is known
   std::optional<Box> outer_box;  ///< contains the solid; nothing: the solid is empty
   /// Connected pieces of material, and of emptiness enclosed by it; nothing before the last level.
+  /// What touches in edges or vertices only is not connected: two cubes with an edge in common are
+  /// two components, and two rooms with one are two cavities.
   std::optional<std::uint32_t> components;
   std::optional<std::uint32_t> cavities;
 };

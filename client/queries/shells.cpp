@@ -2,6 +2,7 @@
 
 #include <glm/geometric.hpp>
 #include <numeric>
+#include <utility>
 
 namespace spoctree {
 
@@ -29,12 +30,14 @@ class Groups {
 
 }  // namespace
 
-std::vector<Shell> find_shells(const Surface& surface) {
+std::vector<Shell> find_shells(const Surface& surface, const PlaneSet& planes, Filling filling) {
   const auto face_count = static_cast<std::uint32_t>(surface.faces.size());
   Groups groups(face_count);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
   for (const Surface::Edge& edge : surface.edges) {
-    const auto sides = surface.sides_of(edge);
-    if (sides.size() == 2) groups.join(sides[0].face, sides[1].face);
+    pairs.clear();
+    pair_sides(surface, edge, planes, filling, pairs);
+    for (const auto& [face, other] : pairs) groups.join(face, other);
   }
   constexpr auto kNone = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> shell_of(face_count, kNone);

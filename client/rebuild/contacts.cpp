@@ -1,6 +1,9 @@
 #include "client/rebuild/contacts.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 #include "client/rebuild/find_contacts.hpp"
@@ -9,11 +12,30 @@ namespace spoctree {
 
 namespace {
 
-/// Replaces every cut edge by the path through its cuts; `touched` becomes the carriers concerned.
-void apply_cuts(std::vector<Cut>& cuts, std::size_t vertex_count, Chain& chain,
-                std::vector<bool>& touched) {
+/// How many times an edge may be in the boundary of a plane, on average: with material on both
+/// sides of a plane that touches itself there, twice.
+constexpr std::uint64_t kMostUses = 4;
+
+std::uint64_t count_uses(const Chain& chain) {
+  std::uint64_t uses = 0;
+  for (const ChainEdge& edge : chain) uses += static_cast<std::uint64_t>(std::abs(edge.count));
+  return uses;
+}
+
+/// True if an edge from `a` to `b` may go through `c`: within the ball over the edge as diameter,
+/// so that the squares of both parts add up to less than its own. Without this, in a cluster of
+/// vertices that are all as good as on each other's edges, cuts go on in a circle: a-b becomes
+/// a-c-b, a-c becomes a-b-c, and the counts of the three edges are a Fibonacci series.
+bool divides(Vec3 c, Vec3 a, Vec3 b) { return glm::dot(c - a, c - b) < 0; }
+
+/// Replaces every cut edge by the path through those of its cuts that divide what is left of it;
+/// `touched` becomes the carriers concerned, `new_ends` the vertices put into edges. Returns false
+/// if there were none.
+bool apply_cuts(std::vector<Cut>& cuts, std::span<const Vec3> positions, Chain& chain,
+                std::vector<bool>& touched, std::vector<bool>& new_ends) {
   std::sort(cuts.begin(), cuts.end());
   touched.assign(touched.size(), false);
+  new_ends.assign(positions.size(), false);
   Chain unchanged;
   unchanged.reserve(chain.size());
   Chain paths;
@@ -22,11 +44,15 @@ void apply_cuts(std::vector<Cut>& cuts, std::size_t vertex_count, Chain& chain,
   std::vector<std::uint32_t> path;
   for_each_edge(chain, [&](std::size_t first, std::size_t last) {
     path.assign(1, chain[first].a);
+    const std::uint32_t end = chain[first].b;
     for (; cut != cuts.end() && cut->edge == number; ++cut) {
-      if (std::find(path.begin(), path.end(), cut->vertex) == path.end())
-        path.push_back(cut->vertex);
+      const std::uint32_t vertex = cut->vertex;
+      if (vertex == path.back() || vertex == end) continue;
+      if (!divides(positions[vertex], positions[path.back()], positions[end])) continue;
+      path.push_back(vertex);
+      new_ends[vertex] = true;
     }
-    path.push_back(chain[first].b);
+    path.push_back(end);
     ++number;
     for (std::size_t i = first; i < last; ++i) {
       if (path.size() == 2) {
@@ -40,7 +66,9 @@ void apply_cuts(std::vector<Cut>& cuts, std::size_t vertex_count, Chain& chain,
     }
   });
   chain.swap(unchanged);
-  add_to_chain(chain, std::move(paths), vertex_count);
+  const bool any = !paths.empty();
+  add_to_chain(chain, std::move(paths), positions.size());
+  return any;
 }
 
 }  // namespace
@@ -49,15 +77,21 @@ bool resolve_contacts(Chain& chain, const Carriers& carriers, VertexWelder& weld
   // Cuts bend edges by less than the tolerance, which may make new contacts: a few rounds.
   constexpr int kMaxRounds = 16;
   std::vector<bool> active(carriers.count(), true);
+  // Only what is new can be in contact: parts of edges, which have an end in a cut.
   std::vector<bool> new_ends;
+  std::uint64_t uses = count_uses(chain);
   for (int round = 0; round < kMaxRounds; ++round) {
     const EdgesOfCarriers rows(chain, active);
     std::vector<Cut> cuts = find_cuts(chain, rows, carriers, new_ends, welder);
-    if (cuts.empty()) return round > 0;
-    // Only what is new can be in contact: parts of edges, which have an end in a cut.
-    new_ends.assign(welder.vertices().size(), false);
-    for (const Cut& cut : cuts) new_ends[cut.vertex] = true;
-    apply_cuts(cuts, welder.vertices().size(), chain, active);
+    Chain cut_chain = chain;
+    if (cuts.empty() || !apply_cuts(cuts, welder.vertices(), cut_chain, active, new_ends)) {
+      return round > 0;
+    }
+    // Cuts are for making things cancel. Those that pile them up are worse than none.
+    const std::uint64_t more_uses = count_uses(cut_chain);
+    if (more_uses > std::max(uses, kMostUses * cut_chain.size())) return round > 0;
+    chain.swap(cut_chain);
+    uses = more_uses;
   }
   return true;
 }

@@ -29,6 +29,16 @@ class PlaneValues {
 
   std::int32_t left(std::uint32_t half_edge) const { return left_[half_edge]; }
 
+  /// False if a value changes by something else than an edge's count across it, or within a sector
+  /// between two edges that are next to each other around a vertex: the edges cross.
+  bool are_consistent() const {
+    for (std::uint32_t h = 0; h < half_edges(); ++h) {
+      const std::uint32_t next = next_[h];
+      if (left_[h] - left_[h ^ 1u] != count(h) || left_[next ^ 1u] != left_[h]) return false;
+    }
+    return true;
+  }
+
  private:
   static constexpr auto kNoPart = static_cast<std::uint32_t>(-1);
 
@@ -164,18 +174,16 @@ void separate_sides(std::span<const CountedEdge> edges, const PlaneFrame& frame,
   const auto add = [](std::vector<PlaneEdge>& list, PlaneEdge edge, std::int32_t times) {
     for (std::int32_t i = 0; i < times; ++i) list.push_back(edge);
   };
-  bool is_consistent = true;
+  if (!values.are_consistent()) {
+    for (const CountedEdge& edge : edges) add(front, edge.edge, edge.count);
+    return;
+  }
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     const std::int32_t left = values.left(2 * i);
     const std::int32_t right = values.left(2 * i + 1);
-    is_consistent &= left - right == edges[i].count;
     add(front, edges[i].edge, std::max(left, 0) - std::max(right, 0));
     add(back, edges[i].edge, std::max(-right, 0) - std::max(-left, 0));
   }
-  if (is_consistent) return;
-  front.clear();
-  back.clear();
-  for (const CountedEdge& edge : edges) add(front, edge.edge, edge.count);
 }
 
 }  // namespace spoctree

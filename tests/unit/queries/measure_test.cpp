@@ -2,12 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "client/queries/shells.hpp"
 #include "client/rebuild/surface.hpp"
 #include "common/tree/piece_bounds.hpp"
+#include "tests/support/random.hpp"
 #include "tests/support/sample_trees.hpp"
+#include "tests/support/voxels.hpp"
 
 namespace spoctree {
 namespace {
@@ -73,11 +77,93 @@ TEST(Measure, CountsComponentsAndCavities) {
   measures = measure(shell, 2);
   EXPECT_EQ(measures.components, 1u);
   EXPECT_EQ(measures.cavities, 1u);
-  const auto shells = find_shells(rebuild_surface(shell));
+  const auto shells = find_shells(rebuild_surface(shell), shell.plane_set(), Filling::Material);
   ASSERT_EQ(shells.size(), 2u);
   EXPECT_EQ(shells[0].face_count, 6u);
   EXPECT_NEAR(std::max(shells[0].volume, shells[1].volume), 8, 1e-14);
   EXPECT_NEAR(std::min(shells[0].volume, shells[1].volume), -1, 1e-14);
+}
+
+TEST(Measure, TakesWhatTouchesInEdgesForSeparateBodies) {
+  const auto is_odd = [](int x, int y, int z) { return (x + y + z) % 2 == 1; };
+  // A checkerboard of 32 cubes of side 1/2: every inner edge has two of them on it. Of the 8 inner
+  // cells 4 are empty, behind 6 cubes each.
+  Measures measures = measure(voxel_tree(is_odd), 2);
+  EXPECT_EQ(measures.components, 32u);
+  EXPECT_EQ(measures.cavities, 4u);
+  EXPECT_NEAR(measures.volume.lower, 4, 1e-14);
+  EXPECT_NEAR(measures.area.lower, 32 * 6.0 / 4, 1e-13);
+  // The same rooms in a block.
+  const auto is_inner = [](int v) { return v == 1 || v == 2; };
+  measures = measure(voxel_tree([&](int x, int y, int z) {
+                       return !(is_inner(x) && is_inner(y) && is_inner(z) && is_odd(x, y, z));
+                     }),
+                     2);
+  EXPECT_EQ(measures.components, 1u);
+  EXPECT_EQ(measures.cavities, 4u);
+  EXPECT_NEAR(measures.volume.lower, 60.0 / 8, 1e-14);
+}
+
+/// Counts the face-connected parts of the cells of a grid for which `is_in` holds.
+template <class IsIn>
+unsigned count_parts(int side, IsIn&& is_in) {
+  const auto number = [&](int x, int y, int z) {
+    return static_cast<std::size_t>((z * side + y) * side + x);
+  };
+  std::vector<bool> done(number(0, 0, side));
+  unsigned parts = 0;
+  std::vector<std::array<int, 3>> open;
+  const auto reach = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= side || y >= side || z >= side) return false;
+    if (done[number(x, y, z)] || !is_in(x, y, z)) return false;
+    done[number(x, y, z)] = true;
+    open.push_back({x, y, z});
+    return true;
+  };
+  for (int z = 0; z < side; ++z) {
+    for (int y = 0; y < side; ++y) {
+      for (int x = 0; x < side; ++x) {
+        if (!reach(x, y, z)) continue;
+        ++parts;
+        while (!open.empty()) {
+          const auto [a, b, c] = open.back();
+          open.pop_back();
+          for (const int step : {-1, 1}) {
+            reach(a + step, b, c);
+            reach(a, b + step, c);
+            reach(a, b, c + step);
+          }
+        }
+      }
+    }
+  }
+  return parts;
+}
+
+TEST(Measure, CountsThePartsOfRandomCells) {
+  for (std::uint64_t seed = 1; seed <= 12; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const double density = random.between(0.2, 0.9);
+    bool full[8][8][8];
+    int count = 0;
+    for (auto& plane : full) {
+      for (auto& row : plane) {
+        for (bool& cell : row) count += (cell = random.chance(density)) ? 1 : 0;
+      }
+    }
+    const auto is_full = [&](int x, int y, int z) { return full[z][y][x]; };
+    const Octree tree = tree_of({3, is_full});
+    const Measures measures = measure(tree, static_cast<std::uint32_t>(tree.levels.size() - 1));
+    EXPECT_EQ(measures.components, count_parts(8, is_full));
+    // With a layer of emptiness around it, all that is outside is one part.
+    const auto is_empty = [&](int x, int y, int z) {
+      const auto is_edge = [](int v) { return v == 0 || v == 9; };
+      return is_edge(x) || is_edge(y) || is_edge(z) || !full[z - 1][y - 1][x - 1];
+    };
+    EXPECT_EQ(measures.cavities, count_parts(10, is_empty) - 1);
+    EXPECT_NEAR(measures.volume.lower, count / 64.0, 1e-12);
+  }
 }
 
 TEST(Measure, BoundsWhatIsNotKnownYet) {
