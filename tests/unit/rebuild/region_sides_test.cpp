@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "tests/support/random.hpp"
 
 namespace spoctree {
 namespace {
@@ -39,35 +43,37 @@ TEST(SeparateSides, TellsAFaceSeenFromBehindByItsTurn) {
 }
 
 TEST(SeparateSides, GivesCyclesWhereEdgesCross) {
-  // All closed ways of five steps over the corners of a pentagon, and twice some, crossing or not.
-  std::vector<Vec3> points;
-  for (const auto& [x, y] : {std::array{0, 3}, {-3, 1}, {-2, -2}, {2, -2}, {3, 1}}) {
-    points.push_back({x, y, 0});
-  }
+  // Closed ways over random points of a small grid: they cross, overlap and turn back.
   std::vector<PlaneEdge> front;
   std::vector<PlaneEdge> back;
-  for (unsigned code = 0; code < 3125 * 25; ++code) {
-    int counts[5][5] = {};
-    unsigned rest = code;
-    const unsigned first = rest % 5;
-    unsigned at = first;
-    for (int step = 0; step < 7; ++step, rest /= 5) {
-      const unsigned to = step == 6 ? first : rest % 5;
-      if (at == to) continue;
-      ++counts[at][to];
-      --counts[to][at];
-      at = to;
+  for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    Random random(seed);
+    const std::uint32_t count = 4 + random.below(6);
+    std::vector<Vec3> points;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      points.emplace_back(random.below(5), random.below(5), 0);
+    }
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
+    for (std::uint32_t way = 0; way < 3; ++way) {
+      const std::uint32_t first = random.below(count);
+      std::uint32_t at = first;
+      for (std::uint32_t step = 0; step < 8; ++step) {
+        const std::uint32_t to = step == 7 ? first : random.below(count);
+        if (at < to) ++counts[{at, to}];
+        if (at > to) --counts[{to, at}];
+        at = to;
+      }
     }
     std::vector<CountedEdge> edges;
-    for (std::uint32_t i = 0; i < 5; ++i) {
-      for (std::uint32_t j = 0; j < 5; ++j) {
-        if (counts[i][j] > 0) edges.push_back({{i, j}, counts[i][j]});
-      }
+    for (const auto& [ends, times] : counts) {
+      const auto [a, b] = ends;
+      if (times > 0) edges.push_back({{a, b}, times});
+      if (times < 0) edges.push_back({{b, a}, -times});
     }
     if (edges.empty()) continue;
     separate_sides(edges, kFrame, points, front, back);
     expect_cycles(edges, front, back, points.size());
-    if (HasFailure()) FAIL() << "code " << code;
+    if (HasFailure()) FAIL() << "seed " << seed;
   }
 }
 
