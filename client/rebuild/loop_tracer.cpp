@@ -24,12 +24,17 @@ void LoopTracer::trace(std::vector<PlaneEdge>& edges, const PlaneFrame& frame,
   frame_ = &frame;
   positions_ = positions;
   used_.assign(edges.size(), false);
+  first_.resize(edges.size());
+  rays_.resize(edges.size());
+  next_.assign(edges.size(), kNowhere);
   place_.assign(edges.size(), kNowhere);
   result.vertices.clear();
   result.loops.clear();
   result.branches = false;
-  for (std::size_t i = 1; i < edges.size(); ++i) {
-    result.branches |= edges[i].from == edges[i - 1].from;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const bool is_first = i == 0 || edges[i].from != edges[i - 1].from;
+    first_[i] = is_first ? static_cast<std::uint32_t>(i) : first_[i - 1];
+    result.branches |= !is_first;
   }
   for (std::size_t start = 0; start < edges.size(); ++start) {
     if (used_[start]) continue;
@@ -37,10 +42,9 @@ void LoopTracer::trace(std::vector<PlaneEdge>& edges, const PlaneFrame& frame,
     path_.clear();
     for (;;) {
       // The vertex is named by its first edge.
-      auto vertex_edge = edge;
-      while (vertex_edge > 0 && edges[vertex_edge - 1].from == edges[edge].from) --vertex_edge;
+      const std::uint32_t vertex_edge = first_[edge];
       place_[vertex_edge] = static_cast<std::uint32_t>(path_.size());
-      path_.push_back(static_cast<std::uint32_t>(vertex_edge));
+      path_.push_back(vertex_edge);
       used_[edge] = true;
       const std::uint32_t to = edges[edge].to;
       const auto found = std::lower_bound(edges.begin(), edges.end(), PlaneEdge{to, 0});
@@ -59,33 +63,56 @@ void LoopTracer::trace(std::vector<PlaneEdge>& edges, const PlaneFrame& frame,
 
 std::size_t LoopTracer::next_edge(std::size_t first, std::uint32_t came_from) {
   const std::uint32_t vertex = edges_[first].from;
-  std::size_t best = edges_.size();
-  double best_turn = 5;
-  double back = -1;
-  for (std::size_t i = first; i < edges_.size() && edges_[i].from == vertex; ++i) {
-    if (used_[i]) continue;
-    if (best == edges_.size()) {
-      best = i;
-      continue;
-    }
-    const auto turn_to = [&](std::size_t edge) {
-      const Vec2 here = frame_->project(positions_[vertex]);
-      if (back < 0) back = pseudo_angle(frame_->project(positions_[came_from]) - here);
-      // Clockwise from where we came: the region lies there.
-      const double turn = back - pseudo_angle(frame_->project(positions_[edges_[edge].to]) - here);
-      return turn > 0 ? turn : turn + 4;
-    };
-    if (best_turn > 4) best_turn = turn_to(best);
-    const double turn = turn_to(i);
-    if (turn < best_turn) {
-      best_turn = turn;
-      best = i;
-    }
-  }
-  if (best == edges_.size()) {
+  const auto fail = [&] {
     throw std::logic_error("rebuild: no edge leaves vertex " + std::to_string(vertex));
+  };
+  if (first + 1 == edges_.size() || edges_[first + 1].from != vertex) {
+    if (used_[first]) fail();
+    return first;
   }
-  return best;
+  const auto end = static_cast<std::size_t>(
+      std::lower_bound(edges_.begin(), edges_.end(), PlaneEdge{vertex + 1, 0}) - edges_.begin());
+  const Vec2 here = frame_->project(positions_[vertex]);
+  if (next_[first] == kNowhere) sort_around(first, end, here);
+  // Clockwise from where we came: the region lies there.
+  const double back = pseudo_angle(frame_->project(positions_[came_from]) - here);
+  const auto at = [&](std::size_t i) { return rays_.cbegin() + static_cast<std::ptrdiff_t>(i); };
+  const auto behind =
+      std::partition_point(at(first), at(end), [&](const Ray& ray) { return ray.angle >= back; });
+  std::size_t ray = next_unused(static_cast<std::size_t>(behind - rays_.cbegin()), end);
+  if (ray == end) ray = next_unused(first, end);
+  if (ray == end) fail();
+  return rays_[ray].edge;
+}
+
+void LoopTracer::sort_around(std::size_t first, std::size_t end, Vec2 here) {
+  for (std::size_t i = first; i < end; ++i) {
+    const auto number = static_cast<std::uint32_t>(i);
+    rays_[i] = {pseudo_angle(frame_->project(positions_[edges_[i].to]) - here), number};
+    next_[i] = number;
+  }
+  const auto at = [&](std::size_t i) { return rays_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::sort(at(first), at(end), [](const Ray& r, const Ray& s) {
+    return r.angle != s.angle ? r.angle > s.angle : r.edge < s.edge;
+  });
+}
+
+std::size_t LoopTracer::next_unused(std::size_t ray, std::size_t end) {
+  std::size_t found = ray;
+  while (found != end) {
+    if (next_[found] == found) {
+      if (!used_[rays_[found].edge]) break;
+      ++next_[found];
+    }
+    found = next_[found];
+  }
+  // The next one who asks need not go all the way.
+  while (ray != found) {
+    const std::size_t next = next_[ray];
+    next_[ray] = static_cast<std::uint32_t>(found);
+    ray = next;
+  }
+  return found;
 }
 
 void LoopTracer::close_loop(std::size_t start, TracedLoops& result) {
