@@ -22,11 +22,15 @@ std::uint64_t count_uses(const Chain& chain) {
   return uses;
 }
 
-/// True if an edge from `a` to `b` may go through `c`: within the ball over the edge as diameter,
-/// so that the squares of both parts add up to less than its own. Without this, in a cluster of
-/// vertices that are all as good as on each other's edges, cuts go on in a circle: a-b becomes
-/// a-c-b, a-c becomes a-b-c, and the counts of the three edges are a Fibonacci series.
-bool divides(Vec3 c, Vec3 a, Vec3 b) { return glm::dot(c - a, c - b) < 0; }
+/// True if an edge from `a` to `b` may go through `c`: both parts are shorter than it is, and so
+/// cutting comes to an end. Without this, in a cluster of vertices that are all as good as on each
+/// other's edges, cuts go on in a circle: a-b becomes a-c-b, a-c becomes a-b-c, and the counts of
+/// the three edges are a Fibonacci series.
+bool divides(Vec3 c, Vec3 a, Vec3 b) {
+  const auto squared_length = [](Vec3 v) { return glm::dot(v, v); };
+  const double whole = squared_length(b - a);
+  return squared_length(c - a) < whole && squared_length(b - c) < whole;
+}
 
 /// Replaces every cut edge by the path through those of its cuts that divide what is left of it;
 /// `touched` becomes the carriers concerned, `new_ends` the vertices put into edges. Returns false
