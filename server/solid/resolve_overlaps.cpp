@@ -15,6 +15,8 @@
 
 #include "common/base/errors.hpp"
 #include "server/mesh/point_table.hpp"
+#include "server/mesh/precision.hpp"
+#include "server/solid/collapse_steps.hpp"
 #include "server/solid/face_groups.hpp"
 #include "server/solid/grid_integers.hpp"
 #include "server/solid/grid_mesh.hpp"
@@ -34,6 +36,18 @@ constexpr double kAsGoodAsOn = 0x1p-40;
 // grid's steps and far less than the flat tolerance; more if that does not do.
 constexpr double kLeastGrowth = 0x1p-34;
 constexpr double kMostGrowth = 0x1p-29;
+
+// Steps between faces that were meant to lie in one plane are so many times as wide at most as what
+// the corners of the faces were moved by, or rounded by in the file: where faces meet at a flat
+// angle, their lines are farther off than they.
+constexpr double kStepsPerMove = 8;
+
+// Steps from the rounding of a file are as wide as this at most (universe units): wider ones may be
+// meant.
+constexpr double kWidestRounding = 0x1p-20;
+
+// Without steps, what is left may meet itself again, and leave steps when it is cut.
+constexpr int kMostRoundsOfSmoothing = 4;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -297,8 +311,8 @@ void put_into(PolygonSoup& soup, const Surface& surface) {
   }
 }
 
-// Whether a corner of `a` misses the plane of `b` by less than kAsGoodAsOn, but does miss it.
-bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b) {
+// Whether a corner of `a` misses the plane of `b` by less than `least`, but does miss it.
+bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b, double least) {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   const auto at = [&](std::uint32_t v) {
     const Vec3 p = placed.points[v];
@@ -309,29 +323,54 @@ bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b) {
       glm::normalize(glm::cross(placed.points[b[1]] - origin, placed.points[b[2]] - origin));
   return std::any_of(a.begin(), a.end(), [&](std::uint32_t v) {
     if (v == b[0] || v == b[1] || v == b[2]) return false;
-    if (!(std::abs(glm::dot(normal, placed.points[v] - origin)) < kAsGoodAsOn)) return false;
+    if (!(std::abs(glm::dot(normal, placed.points[v] - origin)) < least)) return false;
     return CGAL::orientation(at(b[0]), at(b[1]), at(b[2]), at(v)) != CGAL::COPLANAR;
   });
 }
 
-// Moves the corners of triangles that touch but for rounding outwards, by `way` (universe units),
-// or somewhat more, in each part by another length; returns the farthest move, 0 if there are none.
-// Faces that lie in one plane but for their last digits cross each other all over it, in lines that
-// the grid cannot tell apart, and leave gaps that no one means. Grown, the parts overlap.
-double grow_where_nearly_touching(Surface& surface, double way) {
-  const OnGrid placed = place(surface);
-  const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
-  std::vector<std::uint8_t> is_moved(surface.points.size(), 0);
-  bool is_any = false;
-  for (const auto& [t, u] : find_pairs(surface, placed, boxes)) {
+// The corners of triangles that touch but for what was rounded away.
+struct NearlyTouching {
+  std::vector<std::uint8_t> is_corner;  // by point; empty: there are none
+  std::vector<glm::dvec3> points;       // of the file
+  double moved = 0;                     // as far as corners were moved since (in the file's units)
+  double step_width = 0;  // of the widest steps that cutting may leave there (universe units)
+};
+
+// Those of triangles of which one misses the other by less than `least` (universe units).
+NearlyTouching find_nearly_touching(const Surface& surface, const OnGrid& placed,
+                                    const std::vector<TrianglePair>& pairs, double least) {
+  NearlyTouching touching;
+  for (const auto& [t, u] : pairs) {
     const Corners& a = surface.triangles[t];
     const Corners& b = surface.triangles[u];
-    if (!nearly_touches(placed, a, b) && !nearly_touches(placed, b, a)) continue;
-    for (const std::uint32_t v : a) is_moved[v] = 1;
-    for (const std::uint32_t v : b) is_moved[v] = 1;
-    is_any = true;
+    if (!nearly_touches(placed, a, b, least) && !nearly_touches(placed, b, a, least)) continue;
+    touching.is_corner.resize(surface.points.size(), 0);
+    for (const std::uint32_t v : a) touching.is_corner[v] = 1;
+    for (const std::uint32_t v : b) touching.is_corner[v] = 1;
   }
-  if (!is_any) return 0;
+  if (!touching.is_corner.empty()) touching.points = surface.points;
+  return touching;
+}
+
+// Moves the corners of triangles that touch but for rounding outwards, by `way` (universe units),
+// or somewhat more, in each part by another length.
+// Faces that lie in one plane but for their last digits cross each other all over it, in lines that
+// the grid cannot tell apart, and leave gaps that no one means. Grown, the parts overlap.
+NearlyTouching grow_where_nearly_touching(Surface& surface, double way,
+                                          const Precision& precision) {
+  const OnGrid placed = place(surface);
+  const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
+  const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
+  NearlyTouching touching = find_nearly_touching(surface, placed, pairs, kAsGoodAsOn);
+  if (touching.is_corner.empty()) {
+    const glm::dvec3 spacing = coordinate_spacing(precision, surface.points);
+    const double rounding = std::max({spacing.x, spacing.y, spacing.z}) / placed.universe.scale();
+    if (!(rounding > kAsGoodAsOn && kStepsPerMove * rounding < kWidestRounding)) return touching;
+    // Wide enough to be cut as they are.
+    touching = find_nearly_touching(surface, placed, pairs, 2 * rounding);
+    touching.step_width = kStepsPerMove * rounding;
+    return touching;
+  }
   const std::vector<std::uint32_t> part_of = find_joints(surface).part_of;
   std::vector<Vec3> outwards(surface.points.size(), Vec3{0.0});
   std::vector<std::uint32_t> part_at(surface.points.size(), 0);
@@ -347,13 +386,15 @@ double grow_where_nearly_touching(Surface& surface, double way) {
   double farthest = 0;
   for (std::uint32_t v = 0; v < surface.points.size(); ++v) {
     const double length = glm::length(outwards[v]);
-    if (is_moved[v] == 0 || !(length > 0x1p-20)) continue;
+    if (touching.is_corner[v] == 0 || !(length > 0x1p-20)) continue;
     const double multiple = 0.618033988749895 * part_at[v];
     const double here = way * (1 + multiple - std::floor(multiple));
     surface.points[v] = placed.universe.to_model(placed.points[v] + outwards[v] * (here / length));
     farthest = std::max(farthest, here);
   }
-  return farthest * placed.universe.scale();
+  touching.moved = farthest * placed.universe.scale();
+  touching.step_width = kStepsPerMove * farthest;
+  return touching;
 }
 
 // The lines of the report.
@@ -440,12 +481,61 @@ class Account {
   FirstFound<TrianglePair> within_;
 };
 
-ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, bool has_moved) {
-  OnGrid placed = place(surface);
-  BoxTree boxes = box_tree_of(placed.points, surface.triangles);
-  std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
-  Joints joints = find_joints(surface);
-  const bool meets_itself = !pairs.empty() || joints.meets_itself() || has_moved;
+// Cuts again until nothing meets but at edges and corners: rounding may have made it. Returns how
+// often.
+int settle(Surface& surface) {
+  for (int round = 1; !surface.triangles.empty(); ++round) {
+    const OnGrid placed = place(surface);
+    const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
+    const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
+    // Around an edge, rounding may have changed the order of what touches there.
+    if (pairs.empty() && find_joints(surface).crowded_edges == 0) return round - 1;
+    if (round == kMostRoundsOfCutting) {
+      throw NotSettled(counted(pairs.size(), "pair") + " of triangles still meet after cutting " +
+                       std::to_string(round) + " times");
+    }
+    const std::size_t triangles = surface.triangles.size();
+    const Cut again = cut(surface, placed, pairs, boxes);
+    if (again.has_border) throw std::logic_error("rounding has opened a closed surface");
+    if (pairs.empty() && surface.triangles.size() == triangles) return round - 1;
+  }
+  return 0;
+}
+
+// Takes out the steps between faces that were meant to lie in one plane, and moves corners of the
+// file back. What cannot be had without meeting itself stays.
+void smooth(Surface& surface, const NearlyTouching& touching) {
+  for (int round = 0; round < kMostRoundsOfSmoothing; ++round) {
+    Surface smoothed = surface;
+    const OnGrid placed = place(smoothed);
+    const std::size_t given = touching.points.size();
+    std::vector<StepPoint> kinds(smoothed.points.size(), StepPoint::Made);
+    for (std::size_t v = 0; v < given; ++v) {
+      kinds[v] = touching.is_corner[v] != 0 ? StepPoint::Loose : StepPoint::Fixed;
+    }
+    const bool is_changed = collapse_steps(placed.points, kinds, touching.step_width,
+                                           smoothed.triangles, smoothed.source);
+    if (!is_changed && round > 0) return;
+    std::copy(touching.points.begin(), touching.points.end(), smoothed.points.begin());
+    try {
+      const int cuts = settle(smoothed);
+      if (smoothed.triangles.empty()) return;
+      surface = std::move(smoothed);
+      if (cuts == 0) return;
+    } catch (const NotResolved&) {
+      return;
+    } catch (const TooEntangled&) {
+      return;
+    }
+  }
+}
+
+ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, const NearlyTouching& touching) {
+  const OnGrid placed = place(surface);
+  const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
+  const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
+  const Joints joints = find_joints(surface);
+  const bool meets_itself = !pairs.empty() || joints.meets_itself() || touching.moved > 0;
   if (pairs.empty() && joints.has_border) return {};
   if (!meets_itself && joints.parts == 1) return {};
   const Account account(surface, joints, pairs);
@@ -455,21 +545,8 @@ ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, bool has_moved) {
   // Parts that lie apart and face the wrong way are turned by import_solid.
   const bool is_mixed = first.is_inside_out || first.negative_parts > 0;
   if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
-  for (int round = 1; !surface.triangles.empty(); ++round) {
-    placed = place(surface);
-    boxes = box_tree_of(placed.points, surface.triangles);
-    pairs = find_pairs(surface, placed, boxes);
-    // Around an edge, rounding may have changed the order of what touches there.
-    if (pairs.empty() && find_joints(surface).crowded_edges == 0) break;
-    if (round == kMostRoundsOfCutting) {
-      throw NotSettled(counted(pairs.size(), "pair") + " of triangles still meet after cutting " +
-                       std::to_string(round) + " times");
-    }
-    const std::size_t triangles = surface.triangles.size();
-    const Cut again = cut(surface, placed, pairs, boxes);
-    if (again.has_border) throw std::logic_error("rounding has opened a closed surface");
-    if (pairs.empty() && surface.triangles.size() == triangles) break;
-  }
+  settle(surface);
+  if (!touching.is_corner.empty()) smooth(surface, touching);
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   put_into(soup, surface);
   return {account.tell(surface, first), ""};
@@ -481,20 +558,19 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
   std::optional<Surface> surface = triangles_of(soup);
   if (!surface) return {};
   try {
-    double moved = 0;
     for (double way = kLeastGrowth;; way *= 8) {
       Surface grown = *surface;
-      moved = grow_where_nearly_touching(grown, way);
+      const NearlyTouching touching = grow_where_nearly_touching(grown, way, soup.precision);
       try {
-        ResolvedOverlaps resolved = resolve(soup, std::move(grown), moved > 0);
-        if (moved > 0) {
+        ResolvedOverlaps resolved = resolve(soup, std::move(grown), touching);
+        if (touching.moved > 0) {
           resolved.changes.push_back(
               "moved: corners of triangles that touched but for rounding, outwards, by at most " +
-              to_short(moved));
+              to_short(touching.moved));
         }
         return resolved;
       } catch (const NotSettled&) {
-        if (moved == 0 || way > kMostGrowth) throw;
+        if (touching.moved == 0 || way > kMostGrowth) throw;
       }
     }
   } catch (const NotResolved& error) {
