@@ -20,6 +20,7 @@
 #include "server/solid/face_groups.hpp"
 #include "server/solid/grid_integers.hpp"
 #include "server/solid/grid_mesh.hpp"
+#include "server/solid/nearest_on_planes.hpp"
 #include "server/solid/self_intersections.hpp"
 #include "server/solid/triangulate.hpp"
 #include "server/solid/winding_numbers.hpp"
@@ -44,7 +45,8 @@ constexpr double kStepsPerMove = 8;
 
 // Steps from the rounding of a file are as wide as this at most (universe units): wider ones may be
 // meant.
-constexpr double kWidestRounding = 0x1p-20;
+constexpr double kStepsPerRounding = 4;
+constexpr double kWidestRounding = 0x1p-16;
 
 // Without steps, what is left may meet itself again, and leave steps when it is cut.
 constexpr int kMostRoundsOfSmoothing = 4;
@@ -330,8 +332,8 @@ bool nearly_touches(const OnGrid& placed, const Corners& a, const Corners& b, do
 
 // The corners of triangles that touch but for what was rounded away.
 struct NearlyTouching {
-  std::vector<std::uint8_t> is_corner;  // by point; empty: there are none
-  std::vector<glm::dvec3> points;       // of the file
+  bool is_any = false;
+  std::vector<std::uint8_t> is_corner;  // by point of the file
   double moved = 0;                     // as far as corners were moved since (in the file's units)
   double step_width = 0;  // of the widest steps that cutting may leave there (universe units)
 };
@@ -340,15 +342,15 @@ struct NearlyTouching {
 NearlyTouching find_nearly_touching(const Surface& surface, const OnGrid& placed,
                                     const std::vector<TrianglePair>& pairs, double least) {
   NearlyTouching touching;
+  touching.is_corner.assign(surface.points.size(), 0);
   for (const auto& [t, u] : pairs) {
     const Corners& a = surface.triangles[t];
     const Corners& b = surface.triangles[u];
     if (!nearly_touches(placed, a, b, least) && !nearly_touches(placed, b, a, least)) continue;
-    touching.is_corner.resize(surface.points.size(), 0);
+    touching.is_any = true;
     for (const std::uint32_t v : a) touching.is_corner[v] = 1;
     for (const std::uint32_t v : b) touching.is_corner[v] = 1;
   }
-  if (!touching.is_corner.empty()) touching.points = surface.points;
   return touching;
 }
 
@@ -362,13 +364,15 @@ NearlyTouching grow_where_nearly_touching(Surface& surface, double way,
   const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
   const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
   NearlyTouching touching = find_nearly_touching(surface, placed, pairs, kAsGoodAsOn);
-  if (touching.is_corner.empty()) {
+  if (!touching.is_any) {
     const glm::dvec3 spacing = coordinate_spacing(precision, surface.points);
     const double rounding = std::max({spacing.x, spacing.y, spacing.z}) / placed.universe.scale();
-    if (!(rounding > kAsGoodAsOn && kStepsPerMove * rounding < kWidestRounding)) return touching;
-    // Wide enough to be cut as they are.
-    touching = find_nearly_touching(surface, placed, pairs, 2 * rounding);
-    touching.step_width = kStepsPerMove * rounding;
+    touching.step_width = kAsGoodAsOn;
+    if (rounding > kAsGoodAsOn && kStepsPerRounding * rounding < kWidestRounding) {
+      // Wide enough to be cut as they are.
+      touching = find_nearly_touching(surface, placed, pairs, 2 * rounding);
+      touching.step_width = kStepsPerRounding * rounding;
+    }
     return touching;
   }
   const std::vector<std::uint32_t> part_of = find_joints(surface).part_of;
@@ -502,13 +506,51 @@ int settle(Surface& surface) {
   return 0;
 }
 
+// Corners of the file back to their places, and the others onto the planes of the faces around them
+// there; none by more than `most` (universe units).
+void move_back(Surface& surface, const Surface& file, double most) {
+  const OnGrid placed = place(surface);
+  const auto to_universe = [&](const glm::dvec3& p) { return placed.universe.to_universe(p); };
+  struct Use {
+    std::uint32_t point;
+    std::uint32_t source;
+    auto operator<=>(const Use&) const = default;
+  };
+  std::vector<Use> uses;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const std::uint32_t v : surface.triangles[t]) {
+      if (v >= file.points.size()) uses.push_back({v, surface.source[t]});
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+  std::vector<PlaneNear> planes;
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end) {
+    glm::dvec3& point = surface.points[uses[begin].point];
+    const Vec3 place = to_universe(point);
+    planes.clear();
+    for (; end < uses.size() && uses[end].point == uses[begin].point; ++end) {
+      const Corners& t = file.triangles[uses[end].source];
+      const Vec3 origin = to_universe(file.points[t[0]]);
+      const Vec3 normal = glm::cross(to_universe(file.points[t[1]]) - origin,
+                                     to_universe(file.points[t[2]]) - origin);
+      const double length = glm::length(normal);
+      if (length > 0)
+        planes.push_back({normal / length, glm::dot(normal, origin - place) / length});
+    }
+    const Vec3 way = way_onto_planes(planes);
+    if (glm::length(way) < most) point = placed.universe.to_model(place + way);
+  }
+  std::copy(file.points.begin(), file.points.end(), surface.points.begin());
+}
+
 // Takes out the steps between faces that were meant to lie in one plane, and moves corners of the
 // file back. What cannot be had without meeting itself stays.
-void smooth(Surface& surface, const NearlyTouching& touching) {
+void smooth(Surface& surface, const Surface& file, const NearlyTouching& touching) {
   for (int round = 0; round < kMostRoundsOfSmoothing; ++round) {
     Surface smoothed = surface;
     const OnGrid placed = place(smoothed);
-    const std::size_t given = touching.points.size();
+    const std::size_t given = file.points.size();
     std::vector<StepPoint> kinds(smoothed.points.size(), StepPoint::Made);
     for (std::size_t v = 0; v < given; ++v) {
       kinds[v] = touching.is_corner[v] != 0 ? StepPoint::Loose : StepPoint::Fixed;
@@ -516,7 +558,7 @@ void smooth(Surface& surface, const NearlyTouching& touching) {
     const bool is_changed = collapse_steps(placed.points, kinds, touching.step_width,
                                            smoothed.triangles, smoothed.source);
     if (!is_changed && round > 0) return;
-    std::copy(touching.points.begin(), touching.points.end(), smoothed.points.begin());
+    if (touching.moved > 0) move_back(smoothed, file, touching.step_width);
     try {
       const int cuts = settle(smoothed);
       if (smoothed.triangles.empty()) return;
@@ -530,7 +572,8 @@ void smooth(Surface& surface, const NearlyTouching& touching) {
   }
 }
 
-ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, const NearlyTouching& touching) {
+ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface,
+                         const NearlyTouching& touching) {
   const OnGrid placed = place(surface);
   const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
   const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
@@ -546,7 +589,7 @@ ResolvedOverlaps resolve(PolygonSoup& soup, Surface surface, const NearlyTouchin
   const bool is_mixed = first.is_inside_out || first.negative_parts > 0;
   if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
   settle(surface);
-  if (!touching.is_corner.empty()) smooth(surface, touching);
+  smooth(surface, file, touching);
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   put_into(soup, surface);
   return {account.tell(surface, first), ""};
@@ -562,7 +605,7 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
       Surface grown = *surface;
       const NearlyTouching touching = grow_where_nearly_touching(grown, way, soup.precision);
       try {
-        ResolvedOverlaps resolved = resolve(soup, std::move(grown), touching);
+        ResolvedOverlaps resolved = resolve(soup, *surface, std::move(grown), touching);
         if (touching.moved > 0) {
           resolved.changes.push_back(
               "moved: corners of triangles that touched but for rounding, outwards, by at most " +
