@@ -29,24 +29,28 @@ namespace spoctree {
 
 namespace {
 
-// A corner nearer than this to a plane of another part, but not on it, was meant to be on it: what
-// double precision leaves of a solid that was turned (universe units).
-constexpr double kAsGoodAsOn = 0x1p-40;
+// What was meant to touch, and how far corners of that are moved so that it overlaps (universe
+// units): far more than they miss by, and less than the flat tolerance.
+struct Growth {
+  double least;  // a corner nearer than this to a plane of another part was meant to be on it
+  double way;
+};
 
-// Corners that are as good as on a face of another part are moved by so much, far more than the
-// grid's steps and far less than the flat tolerance; more if that does not do.
-constexpr double kLeastGrowth = 0x1p-34;
-constexpr double kMostGrowth = 0x1p-29;
+// What double precision leaves of a solid that was turned: kAsGoodAsOn. More if that does not do.
+constexpr double kAsGoodAsOn = 0x1p-40;
+constexpr Growth kGrowths[] = {
+    {kAsGoodAsOn, 0x1p-34}, {kAsGoodAsOn, 0x1p-31}, {kAsGoodAsOn, 0x1p-28}};
 
 // Steps between faces that were meant to lie in one plane are so many times as wide at most as what
-// the corners of the faces were moved by, or rounded by in the file: where faces meet at a flat
-// angle, their lines are farther off than they.
+// the corners of the faces were moved by: where faces meet at a flat angle, their lines are farther
+// off than they.
 constexpr double kStepsPerMove = 8;
 
-// Steps from the rounding of a file are as wide as this at most (universe units): wider ones may be
-// meant.
-constexpr double kStepsPerRounding = 4;
-constexpr double kWidestRounding = 0x1p-16;
+// What files that are rounded more coarsely than this (universe units) leave may be meant.
+constexpr double kCoarsestRounding = 0x1p-17;
+
+// Corners that miss by this, or less, of the height of their triangles were meant to touch.
+constexpr double kThinTriangle = 0x1p7;
 
 // Without steps, what is left may meet itself again, and leave steps when it is cut.
 constexpr int kMostRoundsOfSmoothing = 4;
@@ -338,7 +342,16 @@ struct NearlyTouching {
   double step_width = 0;  // of the widest steps that cutting may leave there (universe units)
 };
 
-// Those of triangles of which one misses the other by less than `least` (universe units).
+bool is_thin(const OnGrid& placed, const Corners& t, double height) {
+  const auto& [a, b, c] = t;
+  const Vec3 u = placed.points[b] - placed.points[a];
+  const Vec3 v = placed.points[c] - placed.points[a];
+  const double longest = std::max({glm::length(u), glm::length(v), glm::length(u - v)});
+  return !(glm::length(glm::cross(u, v)) >= height * longest);
+}
+
+// Those of triangles of which one misses the other by less than `least` (universe units). Where
+// triangles are nearly as thin as that, nobody knows what was meant.
 NearlyTouching find_nearly_touching(const Surface& surface, const OnGrid& placed,
                                     const std::vector<TrianglePair>& pairs, double least) {
   NearlyTouching touching;
@@ -347,6 +360,8 @@ NearlyTouching find_nearly_touching(const Surface& surface, const OnGrid& placed
     const Corners& a = surface.triangles[t];
     const Corners& b = surface.triangles[u];
     if (!nearly_touches(placed, a, b, least) && !nearly_touches(placed, b, a, least)) continue;
+    const double thin = kThinTriangle * least;
+    if (is_thin(placed, a, thin) || is_thin(placed, b, thin)) continue;
     touching.is_any = true;
     for (const std::uint32_t v : a) touching.is_corner[v] = 1;
     for (const std::uint32_t v : b) touching.is_corner[v] = 1;
@@ -354,27 +369,17 @@ NearlyTouching find_nearly_touching(const Surface& surface, const OnGrid& placed
   return touching;
 }
 
-// Moves the corners of triangles that touch but for rounding outwards, by `way` (universe units),
-// or somewhat more, in each part by another length.
+// Moves the corners of triangles that touch but for rounding outwards, by `growth.way` or somewhat
+// more, in each part by another length.
 // Faces that lie in one plane but for their last digits cross each other all over it, in lines that
 // the grid cannot tell apart, and leave gaps that no one means. Grown, the parts overlap.
-NearlyTouching grow_where_nearly_touching(Surface& surface, double way,
-                                          const Precision& precision) {
+NearlyTouching grow_where_nearly_touching(Surface& surface, const Growth& growth) {
   const OnGrid placed = place(surface);
   const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
   const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
-  NearlyTouching touching = find_nearly_touching(surface, placed, pairs, kAsGoodAsOn);
-  if (!touching.is_any) {
-    const glm::dvec3 spacing = coordinate_spacing(precision, surface.points);
-    const double rounding = std::max({spacing.x, spacing.y, spacing.z}) / placed.universe.scale();
-    touching.step_width = kAsGoodAsOn;
-    if (rounding > kAsGoodAsOn && kStepsPerRounding * rounding < kWidestRounding) {
-      // Wide enough to be cut as they are.
-      touching = find_nearly_touching(surface, placed, pairs, 2 * rounding);
-      touching.step_width = kStepsPerRounding * rounding;
-    }
-    return touching;
-  }
+  NearlyTouching touching = find_nearly_touching(surface, placed, pairs, growth.least);
+  touching.step_width = kAsGoodAsOn;
+  if (!touching.is_any) return touching;
   const std::vector<std::uint32_t> part_of = find_joints(surface).part_of;
   std::vector<Vec3> outwards(surface.points.size(), Vec3{0.0});
   std::vector<std::uint32_t> part_at(surface.points.size(), 0);
@@ -392,13 +397,22 @@ NearlyTouching grow_where_nearly_touching(Surface& surface, double way,
     const double length = glm::length(outwards[v]);
     if (touching.is_corner[v] == 0 || !(length > 0x1p-20)) continue;
     const double multiple = 0.618033988749895 * part_at[v];
-    const double here = way * (1 + multiple - std::floor(multiple));
+    const double here = growth.way * (1 + multiple - std::floor(multiple));
     surface.points[v] = placed.universe.to_model(placed.points[v] + outwards[v] * (here / length));
     farthest = std::max(farthest, here);
   }
   touching.moved = farthest * placed.universe.scale();
   touching.step_width = kStepsPerMove * farthest;
   return touching;
+}
+
+// By how much coordinates of the file may differ that were the same (universe units); 0 if so much
+// may be meant.
+double rounding_of(const PolygonSoup& soup, Surface surface) {
+  const glm::dvec3 spacing = coordinate_spacing(soup.precision, surface.points);
+  const double scale = place(surface).universe.scale();
+  const double rounding = std::max({spacing.x, spacing.y, spacing.z}) / scale;
+  return rounding < kCoarsestRounding ? rounding : 0;
 }
 
 // The lines of the report.
@@ -545,35 +559,38 @@ void move_back(Surface& surface, const Surface& file, double most) {
 }
 
 // Takes out the steps between faces that were meant to lie in one plane, and moves corners of the
-// file back. What cannot be had without meeting itself stays.
-void smooth(Surface& surface, const Surface& file, const NearlyTouching& touching) {
+// file back. What cannot be had without meeting itself stays. Whether no corner of the file is off
+// its place.
+bool smooth(Surface& surface, const Surface& file, const NearlyTouching& touching) {
+  bool is_back = touching.moved == 0;
   for (int round = 0; round < kMostRoundsOfSmoothing; ++round) {
     Surface smoothed = surface;
     const OnGrid placed = place(smoothed);
-    const std::size_t given = file.points.size();
     std::vector<StepPoint> kinds(smoothed.points.size(), StepPoint::Made);
-    for (std::size_t v = 0; v < given; ++v) {
+    for (std::size_t v = 0; v < file.points.size(); ++v) {
       kinds[v] = touching.is_corner[v] != 0 ? StepPoint::Loose : StepPoint::Fixed;
     }
     const bool is_changed = collapse_steps(placed.points, kinds, touching.step_width,
                                            smoothed.triangles, smoothed.source);
-    if (!is_changed && round > 0) return;
+    if (!is_changed && is_back) break;
     if (touching.moved > 0) move_back(smoothed, file, touching.step_width);
     try {
       const int cuts = settle(smoothed);
-      if (smoothed.triangles.empty()) return;
+      if (smoothed.triangles.empty()) break;
       surface = std::move(smoothed);
-      if (cuts == 0) return;
+      is_back = true;
+      if (cuts == 0) break;
     } catch (const NotResolved&) {
-      return;
+      break;
     } catch (const TooEntangled&) {
-      return;
+      break;
     }
   }
+  return is_back;
 }
 
 ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface,
-                         const NearlyTouching& touching) {
+                         const NearlyTouching& touching, bool is_last) {
   const OnGrid placed = place(surface);
   const BoxTree boxes = box_tree_of(placed.points, surface.triangles);
   const std::vector<TrianglePair> pairs = find_pairs(surface, placed, boxes);
@@ -589,7 +606,9 @@ ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface
   const bool is_mixed = first.is_inside_out || first.negative_parts > 0;
   if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
   settle(surface);
-  smooth(surface, file, touching);
+  if (!smooth(surface, file, touching) && !is_last) {
+    throw NotSettled("corners cannot be moved back");
+  }
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   put_into(soup, surface);
   return {account.tell(surface, first), ""};
@@ -601,11 +620,16 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
   std::optional<Surface> surface = triangles_of(soup);
   if (!surface) return {};
   try {
-    for (double way = kLeastGrowth;; way *= 8) {
+    std::vector<Growth> growths(std::begin(kGrowths), std::end(kGrowths));
+    if (const double rounding = rounding_of(soup, *surface); rounding > kAsGoodAsOn / 2) {
+      growths.insert(growths.begin(), {2 * rounding, rounding});
+    }
+    for (std::size_t i = 0;; ++i) {
       Surface grown = *surface;
-      const NearlyTouching touching = grow_where_nearly_touching(grown, way, soup.precision);
+      const NearlyTouching touching = grow_where_nearly_touching(grown, growths[i]);
+      const bool is_last = i + 1 == growths.size();
       try {
-        ResolvedOverlaps resolved = resolve(soup, *surface, std::move(grown), touching);
+        ResolvedOverlaps resolved = resolve(soup, *surface, std::move(grown), touching, is_last);
         if (touching.moved > 0) {
           resolved.changes.push_back(
               "moved: corners of triangles that touched but for rounding, outwards, by at most " +
@@ -613,7 +637,7 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
         }
         return resolved;
       } catch (const NotSettled&) {
-        if (touching.moved == 0 || way > kMostGrowth) throw;
+        if (touching.moved == 0 || is_last) throw;
       }
     }
   } catch (const NotResolved& error) {
