@@ -572,7 +572,7 @@ bool smooth(Surface& surface, const Surface& file, const NearlyTouching& touchin
     }
     const bool is_changed = collapse_steps(placed.points, kinds, touching.step_width,
                                            smoothed.triangles, smoothed.source);
-    if (!is_changed && is_back) break;
+    if (smoothed.triangles.empty() || (!is_changed && is_back)) break;
     if (touching.moved > 0) move_back(smoothed, file, touching.step_width);
     try {
       const int cuts = settle(smoothed);
@@ -606,10 +606,10 @@ ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface
   const bool is_mixed = first.is_inside_out || first.negative_parts > 0;
   if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
   settle(surface);
+  if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   if (!smooth(surface, file, touching) && !is_last) {
     throw NotSettled("corners cannot be moved back");
   }
-  if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
   put_into(soup, surface);
   return {account.tell(surface, first), ""};
 }
