@@ -2,11 +2,14 @@
 // repair makes of random heaps of them, judged point by point by exact winding numbers.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "common/base/errors.hpp"
 #include "common/tree/query_index.hpp"
@@ -229,17 +232,39 @@ TEST(RepairedHeaps, OfTurnedBoxesAreWhatTheyWindAround) {
   });
 }
 
+/// Of boxes along the axes: planes that are the same and face the same way count once.
+std::size_t count_box_planes(const PlainMesh& heap) {
+  constexpr std::size_t kPointsPerBox = 36;
+  std::set<std::tuple<int, bool, double>> planes;
+  for (std::size_t begin = 0; begin < heap.points.size(); begin += kPointsPerBox) {
+    for (int axis = 0; axis < 3; ++axis) {
+      double lower = heap.points[begin][axis];
+      double upper = lower;
+      for (std::size_t i = begin; i < begin + kPointsPerBox; ++i) {
+        lower = std::min(lower, heap.points[i][axis]);
+        upper = std::max(upper, heap.points[i][axis]);
+      }
+      planes.insert({axis, false, lower});
+      planes.insert({axis, true, upper});
+    }
+  }
+  return planes.size();
+}
+
 // Turning leaves of faces in one plane faces that miss it by some 2^-53: no plane may come of that.
-TEST(RepairedHeaps, OfTurnedBoxesHaveAsManyPlanesAsBefore) {
-  for (std::uint32_t i = 0; i < 120; ++i) {
+TEST(RepairedHeaps, OfTurnedBoxesHaveNoMorePlanesThanTheBoxes) {
+  for (std::uint32_t i = 0; i < kHeaps; ++i) {
     Random random(7000 + i);
     PlainMesh heap;
-    const std::uint32_t boxes = 2 + random.below(i % 4 == 0 ? 20 : 6);
-    for (std::uint32_t k = 0; k < boxes; ++k) add_lattice_box(heap, random, i % 4 == 0 ? 8 : 3);
-    const std::size_t planes = count_planes(heap);
+    const bool is_large = i % 10 == 0;
+    const std::uint32_t boxes = 2 + random.below(is_large ? 20 : 6);
+    for (std::uint32_t k = 0; k < boxes; ++k) add_lattice_box(heap, random, is_large ? 8 : 3);
+    const std::size_t most = count_box_planes(heap);
     const glm::dmat3 turn = random_turn(random);
     for (Vec3& p : heap.points) p = turn * p;
-    EXPECT_EQ(count_planes(heap), planes) << "heap " << i;
+    const std::size_t planes = count_planes(heap);
+    EXPECT_GE(planes, 6u) << "heap " << i;
+    EXPECT_LE(planes, most) << "heap " << i;
   }
 }
 
