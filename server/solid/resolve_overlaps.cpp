@@ -607,11 +607,19 @@ ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface
   if (!meets_itself && (is_mixed || surface.triangles.size() == before)) return {};
   settle(surface);
   if (surface.triangles.empty()) throw NotResolved("the faces wind around nothing");
-  if (!smooth(surface, file, touching) && !is_last) {
-    throw NotSettled("corners cannot be moved back");
-  }
+  const bool is_back = smooth(surface, file, touching);
+  if (!is_back && !is_last) throw NotSettled("corners cannot be moved back");
   put_into(soup, surface);
-  return {account.tell(surface, first), ""};
+  ResolvedOverlaps resolved{account.tell(surface, first), ""};
+  if (touching.moved > 0) {
+    const std::string most = to_short(touching.moved);
+    resolved.changes.push_back(
+        is_back
+            ? "joined: triangles that touched but for rounding, as if overlapping by " + most
+            : "moved: corners of triangles that touched but for rounding, outwards, by at most " +
+                  most);
+  }
+  return resolved;
 }
 
 }  // namespace
@@ -629,13 +637,7 @@ ResolvedOverlaps resolve_overlaps(PolygonSoup& soup) {
       const NearlyTouching touching = grow_where_nearly_touching(grown, growths[i]);
       const bool is_last = i + 1 == growths.size();
       try {
-        ResolvedOverlaps resolved = resolve(soup, *surface, std::move(grown), touching, is_last);
-        if (touching.moved > 0) {
-          resolved.changes.push_back(
-              "moved: corners of triangles that touched but for rounding, outwards, by at most " +
-              to_short(touching.moved));
-        }
-        return resolved;
+        return resolve(soup, *surface, std::move(grown), touching, is_last);
       } catch (const NotSettled&) {
         if (touching.moved == 0 || is_last) throw;
       }

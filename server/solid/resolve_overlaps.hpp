@@ -34,9 +34,12 @@ struct ResolvedOverlaps {
 ///
 /// Which faces meet, and what they wind around, is decided exactly on the grid that import_solid
 /// will use. New corners are rounded to it once, by 2^-53 of the universe cube; triangles that meet
-/// no others stay what they are, and no corner of the file moves, unless it misses a plane of a
-/// triangle that it meets by less than 2^-40 of the cube: then it is moved outwards, by some
-/// 10^-10, so that what was meant to touch overlaps (said). n log n, and kMostMeetingPairs
+/// no others stay what they are. Where a corner misses a plane of a triangle that it meets by less
+/// than 2^-40 of the cube, or than two steps of the file's numbers (up to 2^-17 of the cube, among
+/// triangles 2^8 times as high), both were meant to touch: while it is cut, the parts are larger by
+/// some 2^-34, or one step, so that they overlap. The steps that this leaves are taken out again,
+/// corners of the file go back, and new ones onto the planes of the file's triangles (said), if
+/// that can be had without meeting itself. n log n, and kMostMeetingPairs
 /// times some hundred microseconds. REQUIRES: soup as from read_mesh.
 ResolvedOverlaps resolve_overlaps(PolygonSoup& soup);
 
