@@ -598,7 +598,14 @@ ResolvedOverlaps resolve(PolygonSoup& soup, const Surface& file, Surface surface
   const bool meets_itself = !pairs.empty() || joints.meets_itself() || touching.moved > 0;
   if (pairs.empty() && joints.has_border) return {};
   if (!meets_itself && joints.parts == 1) return {};
-  const Account account(surface, joints, pairs);
+  // What met in the file is told, also where growing has taken it apart.
+  std::vector<TrianglePair> as_filed;
+  if (touching.moved > 0) {
+    Surface filed = file;
+    const OnGrid filed_placed = place(filed);
+    as_filed = find_pairs(filed, filed_placed, box_tree_of(filed_placed.points, filed.triangles));
+  }
+  const Account account(surface, joints, as_filed.empty() ? pairs : as_filed);
   const std::size_t before = surface.triangles.size();
   const Cut first = cut(surface, placed, pairs, boxes);
   if (first.has_border) return {};  // said by others
