@@ -90,6 +90,22 @@ void reject_split_vertices(const GridMesh& mesh, const std::vector<Corners>& nei
   }
 }
 
+// Whether every edge is run along as often one way as the other.
+bool is_balanced(const GridMesh& mesh, const std::vector<FiledHalfEdge>& filed,
+                 const std::vector<std::uint32_t>& begin) {
+  for (std::size_t v = 0; v + 1 < begin.size(); ++v) {
+    for (std::uint32_t i = begin[v]; i < begin[v + 1];) {
+      const std::uint32_t other = filed[i].other;
+      int balance = 0;
+      for (; i < begin[v + 1] && filed[i].other == other; ++i) {
+        balance += start_of(mesh, filed[i].half_edge) == v ? 1 : -1;
+      }
+      if (balance != 0) return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself) {
@@ -99,7 +115,6 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
   EdgeFault crowded;
   EdgeFault border;
   EdgeFault misoriented;
-  bool is_balanced = true;  // every edge is run along as often one way as the other
   const auto join = [&](std::uint32_t h, std::uint32_t g) {
     neighbours[h / 3][h % 3] = g / 3;
     neighbours[g / 3][g % 3] = h / 3;
@@ -117,10 +132,6 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
       std::uint32_t end = i + 1;
       while (end < begin[v + 1] && filed[end].other == filed[i].other) ++end;
       const std::uint32_t h = filed[i].half_edge;
-      const auto one_way = std::count_if(
-          filed.begin() + i, filed.begin() + end,
-          [&](const FiledHalfEdge& filed_one) { return start_of(mesh, filed_one.half_edge) == v; });
-      is_balanced = is_balanced && 2 * one_way == end - i;
       if (end - i > 2) {
         if (!may_touch_itself || !join_wedges(i, end)) crowded.add(h);
       } else if (end - i == 1) {
@@ -135,7 +146,9 @@ std::vector<Corners> find_neighbours(const GridMesh& mesh, bool may_touch_itself
   }
   std::string faults;
   describe(crowded, mesh,
-           is_balanced ? "not a manifold: closed parts touch, or a part itself" : "not a manifold",
+           crowded.count() > 0 && is_balanced(mesh, filed, begin)
+               ? "not a manifold: closed parts touch, or a part itself"
+               : "not a manifold",
            "edge", " with more than two faces", faults);
   describe(border, mesh, "not closed", "border edge", "", faults);
   describe(misoriented, mesh, "not consistently oriented", "edge", " whose two faces disagree",
